@@ -172,7 +172,7 @@ pub struct ListArguments {
     #[arg(long, conflicts_with_all = ["basis", "sources", "places", "count", "left_out"])]
     pub features: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
-    /// what it overrides changes them and no document says how
+    /// what it overrides changes them and no source in Stickler says how
     #[arg(long, conflicts_with = "basis")]
     pub left_out: bool,
     /// Print one JSON object a line

@@ -327,7 +327,7 @@ fn note_left_out(left_out: &[Case]) {
             ),
         };
         output::note(format!(
-            "{cases} and no document says how; `stickler list{} --dialect {dialect} --left-out` lists {}",
+            "{cases} and no source in Stickler says how; `stickler list{} --dialect {dialect} --left-out` lists {}",
             run_plan::places(None),
             if number == 1 { "it" } else { "them" }
         ));

@@ -84,12 +84,29 @@ fn asserted_value(case: &Case) -> Option<&Value> {
     }
 }
 
-/// Returns a basis, with the product and version that its source recorded or measured.
+/// Returns a basis, with the product and version that its source recorded or measured, or with the publisher of a document who is not the maker.
 fn with_product(suite: &Suite, basis: &str) -> String {
-    match suite.sources.of(basis) {
-        Some((source, section)) if matches!(source.kind, SourceKind::Recording | SourceKind::Measurement) => {
+    let Some((source, section)) = suite.sources.of(basis) else {
+        return basis.to_owned();
+    };
+    match (source.kind, source.relation) {
+        (SourceKind::Recording | SourceKind::Measurement, _) => {
             format!("{basis} ({}: {})", source.kind.as_str(), source.read_of(section))
         }
-        _ => basis.to_owned(),
+        (_, Some(relation)) => format!("{basis} ({relation}: {})", source.publisher),
+        (_, None) => basis.to_owned(),
     }
+}
+
+/// Returns what sources state of a conversion function that other sources of the same system contradict: the basis, and the statement.
+pub fn contradictions(suite: &Suite, function: &str) -> Vec<String> {
+    let told = suite.sources.iter().flat_map(|source| {
+        let names = |text: &String| text.trim_matches(['(', ',']).eq_ignore_ascii_case(function);
+        let of_function = source
+            .contradicts
+            .iter()
+            .filter(move |told| told.only.iter().any(names));
+        of_function.map(|told| format!("{}: {} {}", source.key, told.section, told.says))
+    });
+    told.collect()
 }

@@ -11,7 +11,7 @@ use stickler_types::{Dialect, ElementaryType, Value};
 /// A kind of cases that an export may have beside those whose programs must be accepted.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum ExtraCases {
-    /// Cases of which no document says whether their programs are accepted.
+    /// Cases of which no source in Stickler says whether their programs are accepted.
     Open,
     /// Cases whose programs must be rejected.
     Rejected,

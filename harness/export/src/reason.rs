@@ -8,7 +8,7 @@ use stickler_syntax::Indivisible;
 pub enum Reason {
     /// The program must be rejected, and such cases were not requested.
     Rejected,
-    /// No document says whether the program is accepted, and such cases were not requested.
+    /// No source in Stickler says whether the program is accepted, and such cases were not requested.
     Open,
     /// The command line leaves the case out by its id.
     Named,
@@ -46,7 +46,9 @@ impl fmt::Display for Reason {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Reason::Rejected => "must be rejected by the compiler (--with rejected exports them too)",
-            Reason::Open => "may be accepted or rejected: no document says (--with open exports them too)",
+            Reason::Open => {
+                "may be accepted or rejected: no source in Stickler says (--with open exports them too)"
+            }
             Reason::Named => "named by --without",
             Reason::Sampled => "not drawn by --sample",
             Reason::Scans => "need several scans, a clock, or variables that are set from outside",

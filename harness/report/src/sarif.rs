@@ -15,7 +15,7 @@ use document::{
 };
 use std::collections::BTreeMap;
 use stickler_run::Header;
-use stickler_types::counted;
+use stickler_types::{Relation, counted};
 
 /// Returns the content of the file.
 ///
@@ -71,7 +71,10 @@ fn rule(id: String, overview: &Overview) -> SarifRule {
         .map(|source| source.address_of(section))
         .unwrap_or_default();
     let described = match source {
-        Some(source) => format!("{id} ({} of {}: {})", source.kind, source.publisher, source.title),
+        Some(source) => {
+            let kind = Relation::with_kind(source.relation, &source.kind);
+            format!("{id} ({kind} of {}: {})", source.publisher, source.title)
+        }
         None => id.clone(),
     };
     SarifRule {

@@ -271,7 +271,7 @@ fn defined(dialect: &DefinedHeader) -> Vec<String> {
     if dialect.left_out > 0 {
         let cases = counted(dialect.left_out, "case", "cases");
         lines.push(format!(
-            "{cases} of {extends} left out of {name}: what it overrides changes that, and no document says how"
+            "{cases} of {extends} left out of {name}: what it overrides changes that, and no source in Stickler says how"
         ));
     }
     lines

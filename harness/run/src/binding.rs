@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use stickler_engines::{Compiler, Identity, Reference};
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Source, SourceKind, Suite};
-use stickler_types::{Contradiction, DialectName};
+use stickler_types::{Contradiction, DialectName, Relation};
 
 /// A claim: that a program of a dialect does what a source states.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
 /// Returns whether a document promises an engine that it accepts the program of a case, so that it fails the case where it does not
 /// implement a construct of the program.
 ///
-/// Only a document promises: the standard asks of no compiler to have every construct, a measurement tells what a compiler does,
+/// Only a document of the makers or of an integrator promises: a third party promises nothing for them, the standard asks of no compiler to have every construct, a measurement tells what a compiler does,
 /// and rules are Stickler's own, that of cases which assert nothing among them. What `stickler.toml` states about a dialect of its
 /// own counts as a document. Nothing is promised where the program must be rejected or its acceptance is open, and of a rendered
 /// text no document promises that its program runs.
@@ -103,7 +103,10 @@ pub fn promises(case: &Case, engine: &Identity, suite: &Suite) -> bool {
         return false;
     }
     let source = suite.sources.of(&case.basis);
-    source.is_none_or(|(source, _)| source.kind == SourceKind::Document)
+    let promises = |source: &Source| {
+        source.kind == SourceKind::Document && source.relation != Some(Relation::ThirdParty)
+    };
+    source.is_none_or(|(source, _)| promises(source))
         && binding(Claim::of(case), Some(engine), suite) == Binding::Own
 }
 

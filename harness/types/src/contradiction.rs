@@ -1,6 +1,7 @@
 //! Contradictions between the sources of one compiler, and the relation of a publisher to the makers of the compiler.
 
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// The relation of the publisher of a source to a compiler that somebody else makes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -13,6 +14,24 @@ pub enum Relation {
     Restatement,
     /// Anybody else.
     ThirdParty,
+}
+
+impl Relation {
+    /// Returns the kind of a source with the relation of its publisher, where that is not the maker: `document (integrator)`.
+    #[must_use]
+    pub fn with_kind(relation: Option<Relation>, kind: &str) -> String {
+        relation.map_or_else(|| kind.to_owned(), |relation| format!("{kind} ({relation})"))
+    }
+}
+
+impl fmt::Display for Relation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Relation::Integrator => "integrator",
+            Relation::Restatement => "restatement",
+            Relation::ThirdParty => "third party",
+        })
+    }
 }
 
 /// Claims of other sources that a section of a source contradicts, so that they bind no compiler for which that source speaks unless

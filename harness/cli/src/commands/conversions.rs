@@ -13,7 +13,8 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_types::DialectName;
+use stickler_suite::SourceKind;
+use stickler_types::{DialectName, Value, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -29,10 +30,18 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     };
     let function = function.to_ascii_uppercase();
     let FunctionDialects { having, lacking } = find_function(&function, &arguments.dialect)?;
-    let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
+    let mut calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let (asserted, recordings) = known(arguments, &function)?;
+    let Known {
+        asserted,
+        printed,
+        recordings,
+        contradictions,
+    } = known(arguments, &function)?;
+    if arguments.values.is_empty() {
+        add_printed(&mut calls, &printed);
+    }
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -60,6 +69,9 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
         };
         page.write(out)?;
+        for told in &contradictions {
+            writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
+        }
     }
     Ok(
         match results.iter().any(|results| results.contradict(engines.len())) {
@@ -69,14 +81,24 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     )
 }
 
-/// Returns what cases assert of a function, and the recordings of compilers: both from the folder of cases, where there is one.
+/// What the folder of cases holds on a function.
+#[derive(Default)]
+struct Known {
+    /// The results that cases assert.
+    asserted: Vec<AssertedResult>,
+    /// The operands of those of them that rest on a document, with the dialect.
+    printed: Vec<(DialectName, Vec<Value>)>,
+    /// The recordings of compilers.
+    recordings: Vec<Recording>,
+    /// The statements of sources against others of the same system.
+    contradictions: Vec<String>,
+}
+
+/// Returns what the folder of cases holds on a function, where there is one.
 ///
 /// # Errors
 /// A folder of cases that was named and is not there, or a recording that cannot be read.
-fn known(
-    arguments: &ConversionsArguments,
-    function: &str,
-) -> anyhow::Result<(Vec<AssertedResult>, Vec<Recording>)> {
+fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Known> {
     let folder = match CaseFolder::locate(arguments.cases.as_deref()) {
         Ok(folder) => folder,
         Err(error) if arguments.cases.is_some() => return Err(error),
@@ -84,15 +106,42 @@ fn known(
             output::note(
                 "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
             );
-            return Ok((Vec::new(), Vec::new()));
+            return Ok(Known::default());
         }
     };
-    let asserted = documented::asserted_results(&folder.load_mentioning(function), function);
+    let suite = folder.load_mentioning(function);
     let recordings = match arguments.recorded || arguments.engine.is_empty() {
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
-    Ok((asserted, recordings))
+    let asserted = documented::asserted_results(&suite, function);
+    let is_printed = |one: &&AssertedResult| {
+        let source = suite.sources.of(&one.basis);
+        source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
+    };
+    let printed = asserted.iter().filter(is_printed);
+    Ok(Known {
+        printed: printed.map(|one| (one.dialect, one.operands.clone())).collect(),
+        asserted,
+        recordings,
+        contradictions: documented::contradictions(&suite, function),
+    })
+}
+
+/// Adds the operands whose results pages print and no rule gives, so that they are shown without being asked for.
+fn add_printed(calls: &mut [(Signature, Vec<Vec<Value>>)], printed: &[(DialectName, Vec<Value>)]) {
+    for (dialect, operands) in printed {
+        for (signature, shown) in &mut *calls {
+            let is_new = signature.takes(operands) && !shown.contains(operands);
+            if is_new
+                && stickler_exact::expected(signature, operands, *dialect)
+                    .basis
+                    .is_none()
+            {
+                shown.push(operands.clone());
+            }
+        }
+    }
 }
 
 /// Returns every signature that one of the dialects has, each once.

@@ -8,7 +8,7 @@ use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
 use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts};
 use stickler_suite::{Case, Suite};
-use stickler_types::wrap;
+use stickler_types::{Relation, wrap};
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -60,9 +60,12 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
         writeln!(
             out,
             "{DIM}source{DIM:#}    {}, {}",
-            source.kind.as_str(),
+            Relation::with_kind(source.relation, source.kind.as_str()),
             source.address_of(section)
         )?;
+    }
+    for against in contradictions(case, suite) {
+        writeln!(out, "{DIM}but{DIM:#}       {against}")?;
     }
     if !case.is_open() {
         writeln!(out, "{DIM}binds{DIM:#}     {}", bound(case, suite))?;
@@ -89,11 +92,30 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
     write_expectation(case, out)
 }
 
+/// Returns what other sources of the same system say against the claim of a case: the basis, and the statement.
+fn contradictions(case: &Case, suite: &Suite) -> Vec<String> {
+    let told = suite.sources.iter().flat_map(|source| {
+        source
+            .contradicts
+            .iter()
+            .filter(|other| other.is_of(&case.basis, (&case.id, &case.source)))
+            .filter(|other| source.speaks_for(&other.section, case.dialect))
+            .map(move |other| format!("{}: {} {}", source.key, other.section, other.says))
+    });
+    told.collect()
+}
+
 /// Returns whom the expectation of a case binds, and why.
 fn bound(case: &Case, suite: &Suite) -> String {
     let dialect = case.dialect;
     match binding(Claim::of(case), None, suite) {
-        Binding::Own => format!("compilers of {dialect}: the source speaks for this system"),
+        Binding::Own => match suite.sources.of(&case.basis).map(|(source, _)| source) {
+            Some(source) if source.relation.is_some() => format!(
+                "compilers of {dialect}, by the word of {}, who does not make them",
+                source.publisher
+            ),
+            _ => format!("compilers of {dialect}: the source speaks for this system"),
+        },
         Binding::Standard => format!("compilers of {dialect}: it declares all features of the program"),
         Binding::Undeclared(feature) => {
             format!(

@@ -23,7 +23,7 @@ const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
-/// The note of a cell about which no source says anything.
+/// The note of a cell about which no source in Stickler says anything.
 const OPEN: &str = "?";
 
 /// The mark of a cell of which two sources of one system state different values.
@@ -298,10 +298,7 @@ impl Footnotes {
             writeln!(out, "{}  {lines}", char::from(letter))?;
         }
         if self.open {
-            writeln!(
-                out,
-                "{OPEN}  observed: no document or recording says what must come"
-            )?;
+            writeln!(out, "{OPEN}  observed: no source in Stickler says what must come")?;
         }
         if self.contradicted {
             writeln!(out, "!  not what the source says")?;

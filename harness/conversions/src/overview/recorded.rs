@@ -33,7 +33,7 @@ pub struct RecordedAnswers {
 pub enum ComparedAnswer {
     /// The compiler answers as the source says.
     Met,
-    /// No source says what the answer must be; holds the answer.
+    /// No source in Stickler says what the answer must be; holds the answer.
     Open(String),
     /// The compiler answers something else, or has no answer; holds the answer.
     Other(String),

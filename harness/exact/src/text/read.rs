@@ -64,7 +64,7 @@ fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
     let text = &bytes[blanks..];
     let mut scanner = LiteralScanner::new(text);
     match to.family() {
-        Family::Boolean => Some(u64::from(text.starts_with(b"TRUE"))),
+        Family::Boolean => Some(u64::from(text.starts_with(b"TRUE") || text.starts_with(b"true"))),
         Family::Signed | Family::Unsigned | Family::BitString => {
             let integer = Integer::read_decimal(&mut scanner);
             Some(integer.map_or(0, |integer| residue(integer, to)))

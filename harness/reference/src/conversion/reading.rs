@@ -48,7 +48,7 @@ fn read_digits(text: &str, to: ElementaryType) -> u64 {
     let sign = sign_length(text);
     let whole = &text[sign..sign + digits_length(&text[sign..], 10)];
     if to == ElementaryType::Bool {
-        return u64::from(text.starts_with("TRUE"));
+        return u64::from(["TRUE", "true"].iter().any(|word| text.starts_with(word)));
     }
     if !to.is_real() {
         return read_integer(&text[..sign + whole.len()], to);

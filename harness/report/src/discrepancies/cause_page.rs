@@ -368,6 +368,9 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
         None => publisher,
         Some(Relation::Restatement) => format!("{publisher}, in a restatement"),
         Some(Relation::ThirdParty) => format!("{publisher}, a third party"),
+        Some(Relation::Integrator) if source.engines.is_empty() => {
+            format!("{publisher}, an integrator and not the maker")
+        }
         Some(Relation::Integrator) => format!(
             "as {publisher}, an integrator and not the maker, documents {}",
             source.engines.join(" and ")

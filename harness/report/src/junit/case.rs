@@ -30,7 +30,7 @@ pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> Ju
 fn observations(case: &CaseEvent) -> String {
     let mut text = String::new();
     if !case.observations.is_empty() {
-        text.push_str("observed, where no document says what must be:\n");
+        text.push_str("observed, where no source in Stickler says what must be:\n");
     }
     for observation in &case.observations {
         // Writing to a String cannot fail.

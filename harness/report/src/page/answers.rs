@@ -35,7 +35,7 @@ enum EngineAnswer {
     Rejected(u32, Option<usize>),
     /// The engine answers as the source of the case says.
     Met,
-    /// No source says what the answer must be; holds the word of the recorded answer.
+    /// No source in Stickler says what the answer must be; holds the word of the recorded answer.
     Recorded(u32),
     /// The engine answers something else; holds the word of the answer, and the number of the case among those that did not pass.
     Other(u32, Option<usize>),

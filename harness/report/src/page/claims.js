@@ -39,11 +39,12 @@ function showClaims(main, query) {
   }
   add(main, el("h2", {}, "Claims"), el("p.dim", {},
     "A claim is a section of a source. A compiler fails only what a standard or its own documents say; where it misses a rule of ",
-    "Stickler or another system's document, it differs. Where no source says what must happen, a case is open: it records, and asserts nothing."));
+    "Stickler or another system's document, it differs. Where no source in Stickler says what must happen, a case is open: it records, and asserts nothing."));
   if (claims.length === 0) add(main, el("p.notice", {}, "The run has no case."));
   for (const [key, list] of bySource) {
     const source = sourceOf(key);
     const title = el("span", {}, el("strong", {}, key), " ", el("span.tag", {}, source ? source.kind : "unknown source"), " ",
+      relationOf(source) ? el("span.tag", {}, relationOf(source)) : null, " ",
       engines.map((engine, index) => [" ", summary(summed(list, index), engine)]));
     add(main, opening(title, () => [
       source ? el("p", {}, `${source.title}, ${source.publisher}`, source.read ? el("span.dim", {}, ` (read: ${source.read})`) : null) : null,

@@ -62,7 +62,12 @@ function basisLink(basis) {
   const { source, section } = basisOf(basis);
   const known = sourceOf(source);
   const address = addresses().get(`${source}: ${section}`) || filledAddress(known, section);
-  return el("span", {}, outward(address, basis), known ? el("span.dim", {}, ` (${known.kind})`) : null);
+  return el("span", {}, outward(address, basis), known ? el("span.dim", {}, ` (${[known.kind, relationOf(known)].filter(Boolean).join(", ")})`) : null);
+}
+
+/** Returns how the publisher of a source stands to the compilers that somebody else makes; nothing of the makers. */
+function relationOf(source) {
+  return source && source.relation ? source.relation.replace("-", " ") : "";
 }
 
 /** Returns the address of a section of a source, for a claim that no case of the run checks. */

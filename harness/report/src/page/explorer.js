@@ -131,7 +131,7 @@ function implicitTable(data, from, to) {
     const word = stated === null ? null : stated[0];
     const basis = stated === null ? "" : data.statements.words[stated[1]];
     return [[el("code", {}, dialect),
-      stated === null ? el("span.dim", {}, "no document says") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
+      stated === null ? el("span.dim", {}, "no source in Stickler says") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
       ...engineNames().map((engine) => {
         const answer = answerIn(engine, dialect);
         return answer === undefined ? el("span.dim", {}, "–") : implicitTag(answer, word);
@@ -268,10 +268,10 @@ function valueTable(title, one, rows, columns, wanted) {
         el("span.tag.differs", {}, `≠ ${bare(known.otherwise.value)}`), el("sup", {}, note(known.otherwise.basis)));
     }
     if (known.state === "stated") return el("td.number", { title: known.basis }, bare(known.text), " ", el("sup", {}, note(known.basis)));
-    if (known.state === "open") return el("td.number.dim", { title: "no document says what must come" }, "open");
+    if (known.state === "open") return el("td.number.dim", { title: "no source in Stickler says what must come" }, "open");
     if (known.state === "none") return el("td.number.dim", { title: "no case of this run asks, and no recording" }, "·");
     if (known.state === "met") return el("td.number", { title: "as its source says" }, known.text === "" ? "" : `${bare(known.text)} `, el("span.tag.pass", {}, "✓"));
-    if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
+    if (known.state === "recorded") return el("td.number", { title: "recorded: no source in Stickler says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
   const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, originLink(column.origin, one.name), column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
@@ -296,5 +296,5 @@ function valueTable(title, one, rows, columns, wanted) {
     el("div.scroll", { tabindex: "0", role: "region", "aria-label": title }, grid),
     first.length < rows.length ? all : null,
     list,
-    el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; ≠ behind a recorded value: what the page of the same vendor says; open: no document says what must come; ·: not asked."));
+    el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; ≠ behind a recorded value: what the page of the same vendor says; open: no source in Stickler says what must come; ·: not asked."));
 }

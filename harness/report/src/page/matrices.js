@@ -56,7 +56,7 @@ function statedCell(data, columns, stated, question, about, address) {
   if (stated === null && departing.length === 0) return el("td", {});
   const contradicts = departing.some(([, answer]) => answer.contradicts);
   const words = departing.map(([column, answer]) => `${column.engine}: ${answer.text}`);
-  const said = stated === null ? { text: departing.length > 0 ? "no document says" : "no case asks", mark: "", tag: "unstated" } : IMPLICIT[word];
+  const said = stated === null ? { text: departing.length > 0 ? "no source in Stickler says" : "no case asks", mark: "", tag: "unstated" } : IMPLICIT[word];
   const label = `${about}: ${[said.text, ...words].join("; ")}${stated === null ? "" : ` (${data.statements.words[stated[1]]})`}`;
   return el(`td.${said.tag}${contradicts ? ".contradicts" : ""}`, {}, el("a", { href: address, title: label, "aria-label": label },
     said.mark, departing.map(([column, answer]) => el(answer.contradicts ? "b" : "span", {},

@@ -1,4 +1,4 @@
-// Observations: what engines do where no document says what they must do; of several, where they part.
+// Observations: what engines do where no source in Stickler says what they must do; of several, where they part.
 
 /** The number of lists of observations that are shown at once. */
 const MAX_OBSERVATIONS = 300;
@@ -8,7 +8,7 @@ function showObservations(main, query) {
   const { observations, disagreements, disagreements_left_out: leftOut } = run();
   const q = (query.get("q") || "").toLowerCase();
   add(main, el("h2", {}, "Observations"), el("p", {},
-    `${counted(observations, "observation was", "observations were")} recorded where no document says what must be. `,
+    `${counted(observations, "observation was", "observations were")} recorded where no source in Stickler says what must be. `,
     "They are compared, and never failed."));
   const alone = engineNames().length < 2;
   if (alone) {

@@ -4,11 +4,12 @@ use super::BoundedMarkdown;
 use crate::claims::{Row, Standing};
 use crate::markdown::{cells, inline, linked};
 use crate::overview::Overview;
+use stickler_types::Relation;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
 pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     page.add("\n## Claims\n\n");
-    page.add("A claim is a section of a source. *Open*: no source says what must happen, ");
+    page.add("A claim is a section of a source. *Open*: no source in Stickler says what must happen, ");
     page.add("so what the engine does is recorded and not judged. ");
     page.add(
         "*Differs*: the engine does something else, but the source does not speak for it, or is a rule of ",
@@ -36,11 +37,11 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
         },
     };
     let mark = if row.failed() { "**✗**" } else { "" };
-    let kind = source.map_or("", |source| &source.kind);
+    let kind = source.map(|source| Relation::with_kind(source.relation, &source.kind));
     Some(format!(
         "| {mark} | {} | {} | {section} |",
         inline(row.source),
-        inline(kind)
+        inline(kind.as_deref().unwrap_or_default())
     ))
 }
 

@@ -16,7 +16,7 @@ pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     if disagreements.is_empty() {
         return;
     }
-    page.add("\n## Where no document decides\n\nThe engines do not do the same here, and none of them is wrong.\n\n");
+    page.add("\n## Where no source in Stickler decides\n\nThe engines do not do the same here, and none of them is wrong.\n\n");
     disagreements
         .iter()
         .take(MAX_SHOWN)

@@ -50,7 +50,9 @@ fn sentences(overview: &Overview, around: Surroundings<'_>) -> Vec<String> {
     let mut sentences = Vec::new();
     if overview.observations > 0 {
         let observations = counted(overview.observations, "observation", "observations");
-        sentences.push(format!("{observations} where no document says what must be."));
+        sentences.push(format!(
+            "{observations} where no source in Stickler says what must be."
+        ));
     }
     sentences.extend(disagreements(overview));
     if sum.of(Verdict::Differs) > 0 {

@@ -6,6 +6,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_suite::{Case, Source, SourceKind, Sources};
+use stickler_types::Relation;
 
 /// The sections of a source that cases cite, with the number of these cases.
 type Cited<'a> = BTreeMap<&'a str, Count>;
@@ -24,6 +25,8 @@ struct SourceLine<'a> {
     source: String,
     title: &'a str,
     publisher: &'a str,
+    /// The relation of the publisher to the makers; none where it is the maker.
+    relation: Option<Relation>,
     kind: &'static str,
     /// The address of the source, at the section that most cases cite.
     address: String,
@@ -66,6 +69,7 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
         source: name,
         title: &source.title,
         publisher: &source.publisher,
+        relation: source.relation,
         kind: source.kind.as_str(),
         address: source.address_of(section),
         read: source.read_of(section),
@@ -115,7 +119,7 @@ fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) 
             out,
             "{:>8}  {}, read {}{}",
             line.count.asserted,
-            line.kind,
+            Relation::with_kind(line.relation, line.kind),
             line.read,
             speaks_for(line)
         )?;

@@ -109,7 +109,7 @@ impl<'p> SweepPage<'p> {
         let operands: Vec<String> = difference.operands.iter().map(shown).collect();
         let basis = difference
             .basis
-            .unwrap_or("open: no document says what must come");
+            .unwrap_or("open: no source in Stickler says what must come");
         writeln!(
             self.out,
             "    {} gives {BAD}{}{BAD:#}, not {}  {DIM}({basis}){DIM:#}",

@@ -39,7 +39,10 @@ impl SweepPage<'_> {
         }
         if found.observed > 0 {
             let results = counted(found.observed, "result differs", "results differ");
-            writeln!(self.out, "  {results} where no document says what must come:")?;
+            writeln!(
+                self.out,
+                "  {results} where no source in Stickler says what must come:"
+            )?;
             self.differences(&found.first_observed, found.observed)?;
             self.unexamined(found.unexamined_observed)?;
         }
