@@ -41,16 +41,20 @@ impl Suite {
         };
         let errors = self.errors.iter().map(finding(LintSeverity::Error));
         // Where something else is wrong, that may be the reason.
-        let unused = match self.errors.is_empty() && self.remarks.is_empty() {
-            true => self.sources.unused(&self.cases, &self.features),
-            false => Vec::new(),
+        let is_sound = self.errors.is_empty() && self.remarks.is_empty();
+        let (unused, examples) = match is_sound {
+            true => (
+                self.sources.unused(&self.cases, &self.features),
+                self.sources.examples(&self.cases),
+            ),
+            false => (Vec::new(), Vec::new()),
         };
         let warnings = self
             .remarks
             .iter()
             .chain(&unused)
             .map(finding(LintSeverity::Warning));
-        let mut findings: Vec<LintFinding> = errors.chain(warnings).collect();
+        let mut findings: Vec<LintFinding> = errors.chain(warnings).chain(examples).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();
         findings
