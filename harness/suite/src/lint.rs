@@ -27,6 +27,7 @@ pub enum LintSeverity {
 pub fn lint(dir: &Path, engines: &[&str]) -> Vec<LintFinding> {
     let mut suite = Suite::load(dir);
     suite.errors.extend(suite.sources.unknown_engines(engines));
+    suite.errors.extend(suite.sources.unprinted(&suite.cases));
     suite.findings()
 }
 
@@ -41,20 +42,16 @@ impl Suite {
         };
         let errors = self.errors.iter().map(finding(LintSeverity::Error));
         // Where something else is wrong, that may be the reason.
-        let is_sound = self.errors.is_empty() && self.remarks.is_empty();
-        let (unused, examples) = match is_sound {
-            true => (
-                self.sources.unused(&self.cases, &self.features),
-                self.sources.examples(&self.cases),
-            ),
-            false => (Vec::new(), Vec::new()),
+        let unused = match self.errors.is_empty() && self.remarks.is_empty() {
+            true => self.sources.unused(&self.cases, &self.features),
+            false => Vec::new(),
         };
         let warnings = self
             .remarks
             .iter()
             .chain(&unused)
             .map(finding(LintSeverity::Warning));
-        let mut findings: Vec<LintFinding> = errors.chain(warnings).chain(examples).collect();
+        let mut findings: Vec<LintFinding> = errors.chain(warnings).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();
         findings

@@ -10,7 +10,6 @@ use toml::Spanned;
 use super::read::SourcesReader;
 use super::{Sections, Sources};
 use crate::error::{CaseFileError, Mistake};
-use crate::lint::{LintFinding, LintSeverity};
 use crate::{Case, NOT_STATED};
 
 /// The beginning of a tag that says which example a case is.
@@ -81,60 +80,32 @@ impl SourcesReader<'_> {
 }
 
 impl Sources {
-    /// Returns an error for each case that is an example which its section does not print; and, where there is none, a warning for each
-    /// example that neither has a case nor is omitted, for each that is omitted and has one, and for each section that cases cite without
-    /// a number where others of its source have one.
-    pub(crate) fn examples(&self, cases: &[Case]) -> Vec<LintFinding> {
-        let mut held = BTreeSet::new();
-        let mut errors = BTreeSet::new();
-        for case in cases.iter().filter(|case| &*case.basis != NOT_STATED) {
-            let numbers = case.tags.iter().filter_map(|tag| tag.strip_prefix(TAG));
-            for number in numbers {
-                match self.example(&case.basis, number) {
-                    Ok(number) => drop(held.insert((&*case.basis, number))),
-                    Err(message) => {
-                        let mistake = Mistake::new(case.line, message).key("tags");
-                        errors.insert(mistake.in_file(&case.file));
-                    }
-                }
-            }
-        }
-        let finding = |severity| move |what: CaseFileError| LintFinding { severity, what };
-        if errors.is_empty() {
-            let warnings = self
-                .missing_examples(&held)
-                .into_iter()
-                .chain(self.not_counted(cases));
-            return warnings.map(finding(LintSeverity::Warning)).collect();
-        }
-        errors.into_iter().map(finding(LintSeverity::Error)).collect()
+    /// Returns a mistake for each case that is an example which its section does not print.
+    pub(crate) fn unprinted(&self, cases: &[Case]) -> BTreeSet<CaseFileError> {
+        let mistake = |(case, number): (&Case, &str)| {
+            let message = self.example(&case.basis, number).err()?;
+            Some(Mistake::new(case.line, message).key("tags").in_file(&case.file))
+        };
+        tagged(cases).filter_map(mistake).collect()
     }
 
-    /// Returns the number of an example of the section of a basis, as a tag gives it.
-    fn example(&self, basis: &str, number: &str) -> Result<u32, String> {
-        let number: u32 = number
-            .parse()
-            .map_err(|_| format!("`{TAG}{number}` does not end with the number of an example"))?;
-        let counted = self.of(basis).map(|(source, section)| {
-            let examples = source.examples.get(section);
-            (section, examples.map_or(0, |examples| examples.count))
-        });
-        let (section, count) = counted.unwrap_or((basis, 0));
-        match (1..=count).contains(&number) {
-            true => Ok(number),
-            false => Err(beyond(number, section, count)),
-        }
-    }
-
-    /// Returns a warning for each example that is neither `held` by a case nor omitted, and for each that is both.
-    fn missing_examples(&self, held: &BTreeSet<(&str, u32)>) -> Vec<CaseFileError> {
+    /// Returns a warning for each example that neither has a case nor is omitted, for each that is omitted and has one, and for each section
+    /// without a number that cases cite where others of its source have one.
+    pub(super) fn without_case<'c>(&self, cases: &'c [Case], cited: &BTreeSet<&str>) -> Vec<CaseFileError> {
+        let number =
+            |(case, number): (&'c Case, &str)| Some((&*case.basis, self.example(&case.basis, number).ok()?));
+        let held: BTreeSet<(&str, u32)> = tagged(cases).filter_map(number).collect();
         let mut warnings = Vec::new();
         for source in &self.sources {
+            let mut warn = |line, message, hint| {
+                let mistake = Mistake::new(line, message).key(source.key.clone());
+                warnings.push(mistake.hint(hint).in_file(&self.file));
+            };
             for (section, examples) in &source.examples {
                 let basis = format!("{}: {section}", source.key);
                 for number in 1..=examples.count {
                     let is_held = held.contains(&(basis.as_str(), number));
-                    let (message, hint) = match (is_held, examples.omitted.contains(&number)) {
+                    let (what, hint) = match (is_held, examples.omitted.contains(&number)) {
                         (false, false) => (
                             "has no case",
                             "write one, or list it with a reason under `omitted`",
@@ -142,29 +113,50 @@ impl Sources {
                         (true, true) => ("is omitted and has a case", "take it out of `omitted`"),
                         _ => continue,
                     };
-                    let message = format!("example {number} of `{section}` {message}");
-                    let mistake = Mistake::new(examples.line, message).hint(hint);
-                    warnings.push(mistake.key(source.key.clone()).in_file(&self.file));
+                    warn(
+                        examples.line,
+                        format!("example {number} of `{section}` {what}"),
+                        hint,
+                    );
+                }
+            }
+            let sections = cited
+                .iter()
+                .filter_map(|basis| basis.strip_prefix(&*source.key)?.strip_prefix(": "));
+            for section in sections.filter(|&section| !source.examples.contains_key(section)) {
+                if !source.examples.is_empty() {
+                    let message = format!("`examples` does not say how many `{section}` prints");
+                    warn(source.line, message, "write 0 where it prints none");
                 }
             }
         }
         warnings
     }
 
-    /// Returns a warning for each section without a number that cases cite, of the sources whose other sections have one.
-    fn not_counted(&self, cases: &[Case]) -> Vec<CaseFileError> {
-        let cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
-        let cited = cited.into_iter().filter_map(|basis| self.of(basis));
-        let is_not_counted = |(source, section): &(&super::Source, &str)| {
-            !source.examples.is_empty() && !source.examples.contains_key(*section)
-        };
-        let warning = |(source, section): (&super::Source, &str)| {
-            let message = format!("`examples` does not say how many `{section}` prints");
-            let mistake = Mistake::new(source.line, message).hint("write 0 where it prints none");
-            mistake.key(source.key.clone()).in_file(&self.file)
-        };
-        cited.filter(is_not_counted).map(warning).collect()
+    /// Returns the number of an example of the section of a basis, as a tag gives it.
+    fn example(&self, basis: &str, number: &str) -> Result<u32, String> {
+        let parsed = number.parse();
+        let number =
+            parsed.map_err(|_| format!("`{TAG}{number}` does not end with the number of an example"))?;
+        let (section, count) = self.of(basis).map_or((basis, 0), |(source, section)| {
+            let examples = source.examples.get(section);
+            (section, examples.map_or(0, |examples| examples.count))
+        });
+        match (1..=count).contains(&number) {
+            true => Ok(number),
+            false => Err(beyond(number, section, count)),
+        }
     }
+}
+
+/// Returns the cases that are examples, with the numbers of their tags.
+fn tagged(cases: &[Case]) -> impl Iterator<Item = (&Case, &str)> {
+    let cites = cases.iter().filter(|case| &*case.basis != NOT_STATED);
+    cites.flat_map(|case| {
+        case.tags
+            .iter()
+            .filter_map(move |tag| Some((case, tag.strip_prefix(TAG)?)))
+    })
 }
 
 /// Returns the message about an example that a section does not print.
