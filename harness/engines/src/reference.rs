@@ -2,7 +2,7 @@
 
 use crate::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_reference as reference;
-use stickler_types::DialectName;
+use stickler_types::{Code, DialectName};
 
 /// The reference implementation: every dialect, every ability, in this process.
 #[derive(Clone, Debug)]
@@ -28,7 +28,11 @@ impl Reference {
                 .collect(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
             grade: Grade::Code,
-            lacks: Vec::new(),
+            lacks: Code::ALL
+                .iter()
+                .copied()
+                .filter(|code| code.example_dialect().is_none())
+                .collect(),
         };
         Reference {
             identity,

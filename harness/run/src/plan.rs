@@ -118,7 +118,7 @@ pub enum RunError {
 
 impl Plan {
     /// Returns the worst grade of a rejection or a fault by this engine that still passes. The reference must always meet
-    /// code and line.
+    /// code and line, but for the codes that only other compilers give.
     #[must_use]
     pub fn strict(&self, engine: &Identity) -> Grade {
         match engine.name.as_str() {

@@ -27,6 +27,7 @@ pub enum LintSeverity {
 pub fn lint(dir: &Path, engines: &[&str]) -> Vec<LintFinding> {
     let mut suite = Suite::load(dir);
     suite.errors.extend(suite.sources.unknown_engines(engines));
+    suite.errors.extend(suite.sources.unprinted(&suite.cases));
     suite.findings()
 }
 

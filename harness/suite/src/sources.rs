@@ -4,6 +4,7 @@
 //! section by the name that it has there, so that a claim can be traced from a report to the sentence. The recordings of compilers are
 //! a source, too: `recording`, whose sections are their files.
 
+mod examples;
 mod lint;
 mod read;
 mod recordings;
@@ -16,6 +17,7 @@ use stickler_types::{Contradiction, DialectName, RecordingOrigin, Relation};
 
 use crate::near::suggestion;
 use crate::place::Lines;
+use examples::SectionExamples;
 pub(crate) use read::read;
 use sections::{SectionForm, Sections};
 
@@ -61,6 +63,8 @@ pub struct Source {
     pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,
+    /// By section, the programs and fragments that the section prints.
+    pub(crate) examples: BTreeMap<String, SectionExamples>,
     /// The claims of other sources that the source contradicts.
     pub contradicts: Vec<Contradiction>,
     /// The symptoms that the source says must not be, whatever program shows them.

@@ -119,6 +119,10 @@ choices! {
         /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
         /// Specific Features.
         mixed_locations: bool = true, ["flags.mixed-locations"];
+        /// Two apostrophes in a text in single quotes are one: `'it''s'`.
+        ///
+        /// Basis: ironplc-data-types: string; iec-61131-3: Table 7, by which an apostrophe is `$'`.
+        doubled_apostrophes: bool = false, ["flags.doubled-apostrophes"];
         /// A subrange may have a single value: `INT(0..0)`.
         ///
         /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.

@@ -175,7 +175,7 @@ impl<'u> Declarer<'u, '_> {
         let code = match (self.kind_of(earlier), kind) {
             (None, None) => Code::TypeDeclNameDuplicated,
             (Some(PouKind::Function), Some(PouKind::Function)) => Code::FunctionDeclNameDuplicated,
-            (Some(earlier), Some(kind)) if earlier == kind => Code::PouDeclNameDuplicated,
+            (Some(_), Some(_)) => Code::PouDeclNameDuplicated,
             _ => Code::DefinitionNameDuplicated,
         };
         self.reporter

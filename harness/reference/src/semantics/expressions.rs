@@ -24,7 +24,7 @@ impl<'m> Lowering<'m> {
     pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: ValueContext) -> LoweredValue {
         let to = self.model.types.value_type(target);
         let inferred = self.infer(id);
-        if self.reports_unknown_value(id, to) {
+        if self.reports_unknown_value(id, to, context) {
             return LoweredValue::ERROR;
         }
         let flexible = self.flexible_result(id, to).map_or(inferred, Inferred::from);
@@ -268,18 +268,31 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Reports a lone unknown name where an enumeration is expected as a value that the enumeration does not have.
-    fn reports_unknown_value(&mut self, id: ExpressionId, target: TypeId) -> bool {
-        let TypeKind::Enumeration(enumeration) = self.model.types.kind(target) else {
-            return false;
-        };
+    /// Reports a lone unknown name where an enumeration is expected as a value that the enumeration does not have, and as the initial value
+    /// of a structure as that of something which is no enumeration.
+    ///
+    /// Basis: ironplc-problem-codes: P2006, P2004.
+    fn reports_unknown_value(&mut self, id: ExpressionId, target: TypeId, context: ValueContext) -> bool {
         let ExpressionKind::Name(name) = self.expression(id).kind else {
             return false;
         };
+        let (code, message) = match self.model.types.kind(target) {
+            TypeKind::Enumeration(enumeration) => (
+                Code::EnumValueNotDefined,
+                format!("`{}` has no value `{}`", enumeration.name, name.text),
+            ),
+            TypeKind::Structure(_) if context == ValueContext::Initializer => (
+                Code::EnumNotDeclared,
+                format!(
+                    "`{}` is no value of a structure, nor of an enumeration",
+                    name.text
+                ),
+            ),
+            _ => return false,
+        };
         let known = self.variable(name.text).is_some() || self.enumerated_name(name.text).is_some();
         if !known {
-            let message = format!("`{}` has no value `{}`", enumeration.name, name.text);
-            self.report(Code::EnumValueNotDefined, name.span, message);
+            self.report(code, name.span, message);
         }
         !known
     }

@@ -8,8 +8,8 @@ use crate::near::suggestion;
 use crate::{Case, Feature, Features};
 
 impl Sources {
-    /// Returns a warning for each source and each rule that none of these cases names, and for each contradiction of what neither a
-    /// case claims nor a source promises of a feature.
+    /// Returns a warning for each source and each rule that none of these cases names, for each contradiction of what neither a
+    /// case claims nor a source promises of a feature, and for each printed example [without a case](Self::without_case).
     pub(crate) fn unused(&self, cases: &[Case], features: &Features) -> Vec<CaseFileError> {
         let cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
         let is_cited = |source: &Source| {
@@ -17,7 +17,7 @@ impl Sources {
                 .iter()
                 .any(|basis| self.of(basis).is_some_and(|(found, _)| found.key == source.key))
         };
-        let mut warnings = Vec::new();
+        let mut warnings = self.without_case(cases, &cited);
         for source in &self.sources {
             for contradiction in &source.contradicts {
                 let is_claimed = |case: &Case| contradiction.is_of(&case.basis, (&case.id, &case.source));

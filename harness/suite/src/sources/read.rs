@@ -6,6 +6,7 @@ use serde::Deserialize;
 use stickler_types::{Contradiction, Relation};
 use toml::Spanned;
 
+use super::examples::OmittedEntry;
 use super::sections::{SectionForm, first_paragraphs, headings};
 use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, ToldSymptom, recordings};
 use crate::error::{CaseFileError, Mistake, in_file};
@@ -32,6 +33,10 @@ struct SourceEntry {
     sections: Option<Strings>,
     #[serde(default)]
     limitations: BTreeMap<Spanned<String>, String>,
+    #[serde(default)]
+    examples: BTreeMap<Spanned<String>, u32>,
+    #[serde(default)]
+    omitted: Vec<OmittedEntry>,
     #[serde(default)]
     contradicts: Vec<Spanned<Contradiction>>,
     #[serde(default)]
@@ -113,6 +118,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         },
         recorded: BTreeMap::new(),
         limitations: BTreeMap::new(),
+        examples: BTreeMap::new(),
         contradicts: Vec::new(),
         symptoms: Vec::new(),
         paragraphs,
@@ -152,10 +158,10 @@ fn meaning(key: &str) -> &'static str {
     }
 }
 
-struct SourcesReader<'a> {
+pub(super) struct SourcesReader<'a> {
     root: &'a files::Root,
     dialects: &'a Dialects,
-    lines: Lines,
+    pub(super) lines: Lines,
     mistakes: Vec<Mistake>,
     remarks: Vec<Mistake>,
 }
@@ -207,6 +213,7 @@ impl SourcesReader<'_> {
             }
             limitations.insert(section.into_inner(), text);
         }
+        let examples = self.examples(name, &sections, entry.examples, entry.omitted);
         for contradiction in &entry.contradicts {
             let section = &contradiction.get_ref().section;
             if let Some(expected) = sections.unknown(section) {
@@ -228,6 +235,7 @@ impl SourcesReader<'_> {
             sections,
             recorded: BTreeMap::new(),
             limitations,
+            examples,
             contradicts: contradicts.collect(),
             symptoms: entry.symptoms,
             paragraphs: BTreeMap::new(),
@@ -315,7 +323,7 @@ impl SourcesReader<'_> {
         sections
     }
 
-    fn wrong(&mut self, at: usize, key: &str, message: String) {
+    pub(super) fn wrong(&mut self, at: usize, key: &str, message: String) {
         self.mistakes
             .push(Mistake::new(self.lines.line(at), message).key(key));
     }

@@ -57,6 +57,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         },
         recorded,
         limitations: BTreeMap::new(),
+        examples: BTreeMap::new(),
         symptoms: Vec::new(),
         contradicts: Vec::new(),
         paragraphs: BTreeMap::new(),

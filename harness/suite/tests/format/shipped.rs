@@ -71,12 +71,13 @@ fn no_program_that_an_engine_is_given_has_a_mark() {
 
 #[test]
 fn no_program_gives_the_name_of_a_standard_function_to_something_else() {
-    // A compiler may take the name for the function's, and no document says that it must not.
+    // A compiler may take the name for the function's, and no document says that it must not, except by an example of its own.
+    let is_printed = |case: &Case| case.tags.iter().any(|tag| tag.starts_with("example-"));
     let functions: HashSet<&str> = STANDARD_FUNCTIONS.split_whitespace().collect();
     let mut seen = HashSet::new();
     let mut found = BTreeSet::new();
     let cases = SHIPPED.cases.iter();
-    for case in cases.filter(|case| seen.insert(&case.source)) {
+    for case in cases.filter(|case| !is_printed(case) && seen.insert(&case.source)) {
         for (word, end) in words(&case.source) {
             // `LT#` begins a duration.
             let is_call_or_literal = || case.source[end..].trim_start().starts_with(['(', '#']);

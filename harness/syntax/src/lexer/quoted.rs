@@ -37,6 +37,9 @@ impl Lexer<'_, '_> {
         loop {
             self.skip(|byte| byte != quote && byte != b'$' && byte >= b' ');
             match self.peek(0) {
+                b'\'' if self.dialect.doubled_apostrophes && quote == b'\'' && self.peek(1) == quote => {
+                    self.at += 2
+                }
                 byte if byte == quote => {
                     self.at += 1;
                     return if sound {

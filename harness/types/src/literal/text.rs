@@ -12,7 +12,7 @@ use std::fmt;
 /// double quotes; this parser accepts both in both.
 ///
 /// # Errors
-/// `Malformed` where a quote is missing, or stands inside without its `$`, or where there is a control character;
+/// `Malformed` where a quote is missing, or stands inside without its `$` (two single ones are one), or where there is a control character;
 /// `Escape` at a `$` that begins nothing; `Character` where a character does not fit a single byte.
 ///
 /// Basis: iec-61131-3: Tables 6 and 7 (character string literals and two-character combinations).
@@ -29,6 +29,12 @@ pub fn text(quoted: &str) -> Result<Vec<u16>, LiteralError> {
         if character == char::from(quote) {
             return match rest.as_str() {
                 "" => Ok(units),
+                // Only a dialect with `doubled-apostrophes` makes one literal of this.
+                more if !wide && more.starts_with('\'') => {
+                    units.push(u16::from(quote));
+                    rest.next();
+                    continue;
+                }
                 _ => Err(LiteralError::malformed(at + 1, "the end of the character string")),
             };
         }

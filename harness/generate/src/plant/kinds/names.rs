@@ -181,16 +181,11 @@ fn block_again(fault: &mut FaultSite<'_, '_>, block: &FunctionBlock, name: &str)
     Some(())
 }
 
-/// Plants a function with the name of a type, or a function block with that of a function.
+/// Plants a function with the name of a type.
 ///
 /// Basis: ironplc-problem-codes: P4011.
 pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    if let Some(block) = original.blocks.last()
-        && let Some(function) = fault.choose(original.functions.iter().collect())
-    {
-        return block_again(fault, block, &function.name);
-    }
     let function = original.functions.last()?;
     let declaration = fault.choose(original.types.iter().collect())?;
     function_again(fault, function, &declaration.name)
