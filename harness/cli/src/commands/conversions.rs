@@ -10,10 +10,10 @@ use crate::output;
 use std::io::Write;
 use stickler_conversions::overview::{self, AnswerSource, AssertedResult, OverviewPage};
 use stickler_conversions::recording::Recording;
-use stickler_conversions::{FunctionDialects, all_functions, find_function};
+use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, PrintedResult};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -28,11 +28,20 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         return Ok(Exit::AsExpected);
     };
     let function = function.to_ascii_uppercase();
-    let FunctionDialects { having, lacking } = find_function(&function, &arguments.dialect)?;
+    let (asserted, recordings, printed) = known(arguments, &function)?;
+    let found = find_function(&function, &arguments.dialect);
+    if matches!(found, Err(NoSuchFunction::Anywhere { .. })) && !printed.is_empty() && !arguments.json {
+        let page = OverviewPage {
+            printed: &printed,
+            ..OverviewPage::default()
+        };
+        page.write(out)?;
+        return Ok(Exit::AsExpected);
+    }
+    let FunctionDialects { having, lacking } = found?;
     let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let (asserted, recordings) = known(arguments, &function)?;
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -55,6 +64,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     } else {
         let page = OverviewPage {
             results: &results,
+            printed: &printed,
             lacking: &lacking,
             engines: &identities,
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
@@ -69,14 +79,14 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     )
 }
 
-/// Returns what cases assert of a function, and the recordings of compilers: both from the folder of cases, where there is one.
+/// Returns what cases assert of a function, the recordings of compilers, and what sources print of it: all from the folder of cases, where there is one.
 ///
 /// # Errors
 /// A folder of cases that was named and is not there, or a recording that cannot be read.
 fn known(
     arguments: &ConversionsArguments,
     function: &str,
-) -> anyhow::Result<(Vec<AssertedResult>, Vec<Recording>)> {
+) -> anyhow::Result<(Vec<AssertedResult>, Vec<Recording>, Vec<PrintedResult>)> {
     let folder = match CaseFolder::locate(arguments.cases.as_deref()) {
         Ok(folder) => folder,
         Err(error) if arguments.cases.is_some() => return Err(error),
@@ -84,15 +94,18 @@ fn known(
             output::note(
                 "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
             );
-            return Ok((Vec::new(), Vec::new()));
+            return Ok((Vec::new(), Vec::new(), Vec::new()));
         }
     };
-    let asserted = documented::asserted_results(&folder.load_mentioning(function), function);
+    let suite = folder.load_mentioning(function);
+    let asserted = documented::asserted_results(&suite, function);
     let recordings = match arguments.recorded || arguments.engine.is_empty() {
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
-    Ok((asserted, recordings))
+    let is_asked = |printed: &&PrintedResult| printed.call.split('(').next() == Some(function);
+    let printed = suite.sources.iter().flat_map(|source| &source.printed);
+    Ok((asserted, recordings, printed.filter(is_asked).cloned().collect()))
 }
 
 /// Returns every signature that one of the dialects has, each once.

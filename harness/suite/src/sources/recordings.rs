@@ -57,6 +57,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         },
         recorded,
         limitations: BTreeMap::new(),
+        printed: Vec::new(),
         symptoms: Vec::new(),
         contradicts: Vec::new(),
         paragraphs: BTreeMap::new(),
