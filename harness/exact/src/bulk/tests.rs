@@ -43,7 +43,8 @@ fn counts_real_units(signature: &Signature, choices: &ConversionChoices) -> bool
     use Family::{Date, DateAndTime, Duration, TimeOfDay};
     signature.operands == [ElementaryType::Real]
         && match choices.moment_units {
-            MomentUnits::Seconds => false,
+            // Of these there are no fast forms at all.
+            MomentUnits::Seconds | MomentUnits::DaysSince1990 => false,
             MomentUnits::DaysAndMilliseconds => signature.result.family() == Date,
             MomentUnits::Counts => {
                 matches!(
