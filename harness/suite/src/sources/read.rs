@@ -255,12 +255,11 @@ impl SourcesReader<'_> {
             }
             for (call, result) in calls {
                 let (at, call) = (call.span().start, call.into_inner());
-                if format!("{call} : INT").parse::<Question>().is_err() {
-                    let message = format!("`{call}` is no call such as `REAL_TO_INT(REAL#2.5)`");
-                    self.wrong(at, &source.key, message);
-                } else if result.contains('#') && Value::parse(&result).is_err() {
-                    let message =
-                        format!("`{result}` is no typed literal; write one, or words without a `#`");
+                let is_call = format!("{call} : INT").parse::<Question>().is_ok();
+                if !is_call || (result.contains('#') && Value::parse(&result).is_err()) {
+                    let message = format!(
+                        "`{call}` is not printed with typed literals: `REAL_TO_INT(REAL#2.5)` = `INT#2`, or a result in words without a `#`"
+                    );
                     self.wrong(at, &source.key, message);
                 }
                 let basis = format!("{}: {section} ({})", source.key, source.address_of(section));
