@@ -26,7 +26,13 @@ pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statem
             Vec::new()
         }),
     };
-    builder.finish(&recordings)
+    let mut statements = builder.finish(&recordings);
+    statements.printed = suite
+        .sources
+        .iter()
+        .flat_map(|source| source.printed.clone())
+        .collect();
+    statements
 }
 
 /// Returns what documents state about the conversions of all cases of a folder.

@@ -60,14 +60,15 @@ enum BulkRule {
 
 impl Bulk {
     /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
-    /// the operand nor the result is a text. A REAL number of days or counts has none.
+    /// the operand nor the result is a text. A REAL number of days or counts has none, nor have days since 1990 and a rounding to a real.
     #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
             return None;
         };
         let to = signature.result;
-        if from.bits() > 32 || from.is_text() || to.is_text() {
+        let since_1990 = choices.moment_units == MomentUnits::DaysSince1990 && to.family() == Family::Date;
+        if from.bits() > 32 || from.is_text() || to.is_text() || since_1990 {
             return None;
         }
         let rule = match signature.operation {
@@ -108,6 +109,7 @@ fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices
     let units = choices.moment_units;
     Some(match to.family() {
         Family::Boolean => BulkRule::RealTruth,
+        Family::Real if operation != Operation::Convert => return None,
         Family::Real if to == ElementaryType::Real => BulkRule::Same,
         Family::Real => BulkRule::Lengthened,
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {

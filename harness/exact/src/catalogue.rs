@@ -28,7 +28,8 @@ use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 /// | `<UNSIGNED>_TO_BCD_<BITS>`, `TO_BCD_<BITS>` | the integer, any unsigned integer | the bit string |
 /// | `CONCAT_DATE_TOD` | DATE, TOD | DT |
 /// | `CONCAT_DATE_LTOD`, `CONCAT_LDATE_LTOD` | DATE or LDATE, LTOD | LDT |
-/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR`, not in `matiec` | REAL, LREAL | DINT, LINT |
+/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR`, not in `matiec` | REAL, LREAL | DINT, LINT; DINT in `siemens-s7` |
+/// | `ROUND_<NUMBER>` …, `TRUNC_<REAL>`, only in `siemens-s7` | REAL, LREAL | the number |
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern, BCD encoding, TRUNC vs. ROUND; ironplc-type-conversions: Explicit
 /// Conversion Functions; iec-61131-3: Table 22 (the overloaded and BCD names of the third edition).
@@ -83,7 +84,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 8] = [const { OnceLock::new() }; 8];
+static CATALOGUES: [OnceLock<Catalogue>; 16] = [const { OnceLock::new() }; 16];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -94,6 +95,8 @@ struct Features {
     roundings: bool,
     /// Bit 2: LDATE, LTOD and LDT among those types.
     long_dates: bool,
+    /// Bit 3: the roundings give a DINT, or the type behind their name.
+    to_dint: bool,
 }
 
 impl Features {
@@ -102,11 +105,13 @@ impl Features {
             third_edition: has_type(ElementaryType::Ltime, dialect),
             roundings: Dialect::of(dialect).rounding_functions,
             long_dates: has_type(ElementaryType::Ldate, dialect),
+            to_dint: Dialect::of(dialect).rounds_to_dint,
         }
     }
 
     fn index(self) -> usize {
-        usize::from(self.third_edition) | usize::from(self.roundings) << 1 | usize::from(self.long_dates) << 2
+        let bits = [self.third_edition, self.roundings, self.long_dates, self.to_dint];
+        bits.iter().rfold(0, |index, bit| index << 1 | usize::from(*bit))
     }
 }
 
@@ -131,7 +136,7 @@ impl Catalogue {
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
         if features.roundings {
-            catalogue.add_roundings();
+            catalogue.add_roundings(features.to_dint);
         }
         catalogue
     }
@@ -242,19 +247,25 @@ impl Catalogue {
         }
     }
 
-    /// Adds `ROUND`, `CEIL`, `CEILING` and `FLOOR`.
-    fn add_roundings(&mut self) {
+    /// Adds `ROUND`, `CEIL`, `CEILING` and `FLOOR`; where they give a DINT also `ROUND_<NUMBER>` … and `TRUNC_<REAL>`.
+    fn add_roundings(&mut self, to_dint: bool) {
+        let (dint, lint) = (ElementaryType::Dint, ElementaryType::Lint);
         for (name, operation) in [
             ("ROUND", Operation::Round),
             ("CEIL", Operation::Ceiling),
             ("CEILING", Operation::Ceiling),
             ("FLOOR", Operation::Floor),
+            ("TRUNC", Operation::Truncate),
         ] {
-            for (from, to) in REALS
-                .into_iter()
-                .zip([ElementaryType::Dint, ElementaryType::Lint])
-            {
-                self.add(name.to_owned(), from, to, operation);
+            let truncates = operation == Operation::Truncate;
+            for (from, to) in REALS.into_iter().zip([dint, if to_dint { dint } else { lint }]) {
+                if !truncates {
+                    self.add(name.to_owned(), from, to, operation);
+                }
+                let is_new = |ty: &ElementaryType| ty.is_real() || (ty.is_integer() && !truncates);
+                for to in ElementaryType::ALL.into_iter().filter(|ty| to_dint && is_new(ty)) {
+                    self.add(format!("{name}_{to}"), from, to, operation);
+                }
             }
         }
     }

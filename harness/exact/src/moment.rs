@@ -19,9 +19,20 @@ const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
     use ElementaryType::{Date, Dt, Ldate, Ldt, Ltime, Ltod};
     match (units, ty) {
         (MomentUnits::Counts, Ltime | Ltod | Ldate | Ldt) => 1,
-        (MomentUnits::DaysAndMilliseconds, Date | Ldate) => 86_400_000_000_000,
+        (MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990, Date | Ldate) => 86_400_000_000_000,
         (MomentUnits::Seconds, Date | Ldate | Dt | Ldt) | (MomentUnits::Counts, Date | Dt) => 1_000_000_000,
         _ => 1_000_000,
+    }
+}
+
+/// Returns the nanoseconds since 1970-01-01 of the moment that the number 0 stands for.
+///
+/// Basis: siemens-manual-2011: 89 ("the number of days added to the base date 01/01/1990").
+fn zero(ty: ElementaryType, units: MomentUnits) -> i128 {
+    let is_date = matches!(ty, ElementaryType::Date | ElementaryType::Ldate);
+    match units {
+        MomentUnits::DaysSince1990 if is_date => 631_152_000 * 1_000_000_000,
+        _ => 0,
     }
 }
 
@@ -42,7 +53,7 @@ pub(crate) const fn nanoseconds(raw: u64) -> i128 {
 
 /// Returns the number of whole units, without the fraction.
 pub(crate) fn units(raw: u64, from: ElementaryType, units: MomentUnits) -> i128 {
-    let whole = nanoseconds(raw) / i128::from(unit(from, units));
+    let whole = (nanoseconds(raw) - zero(from, units)) / i128::from(unit(from, units));
     match units {
         MomentUnits::Counts => count(whole, from),
         _ => whole,
@@ -59,7 +70,7 @@ pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType, uni
     if units == MomentUnits::Counts {
         return real::from_integer(self::units(raw, from, units), to);
     }
-    let nanoseconds = nanoseconds(raw);
+    let nanoseconds = nanoseconds(raw) - zero(from, units);
     let magnitude = BigUint::from(nanoseconds.unsigned_abs());
     quotient::nearest(nanoseconds < 0, &magnitude, &unit(from, units).into(), to)
 }
@@ -67,7 +78,7 @@ pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType, uni
 /// Returns the nanoseconds of a number of units.
 pub(crate) fn of_units(number: i128, to: ElementaryType, units: MomentUnits) -> i128 {
     // Less than 2^64 units of less than 2^47 nanoseconds.
-    number * i128::from(unit(to, units))
+    number * i128::from(unit(to, units)) + zero(to, units)
 }
 
 /// Returns the raw form of a whole number of units, modulo 2^64 nanoseconds.
@@ -102,7 +113,7 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
         exponent,
     } = real::decode(raw, from)
     else {
-        return stored(0, to);
+        return stored(wrapped(zero(to, units)), to);
     };
     let nanoseconds = BigUint::from(significand) * unit(to, units);
     let magnitude = if exponent < 0 {
@@ -113,7 +124,7 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
     };
     let low = magnitude.iter_u64_digits().next().unwrap_or(0);
     let bits = if negative { low.wrapping_neg() } else { low };
-    stored(bits.cast_signed(), to)
+    stored(wrapped(i128::from(bits.cast_signed()) + zero(to, units)), to)
 }
 
 /// Returns whether a real number is a whole number of units that a value of this type holds.

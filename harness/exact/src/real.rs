@@ -246,5 +246,20 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
     Whole::Number(if negative { -magnitude } else { magnitude })
 }
 
+/// Rounds a real number to a whole one that is a real number of the other type; keeps NaN and the infinities.
+pub(crate) fn whole(raw: u64, from: ElementaryType, to: ElementaryType, rounding: Rounding) -> u64 {
+    match decode(raw, from) {
+        Real::Finite {
+            negative,
+            significand,
+            exponent,
+        } if exponent < 0 => match to_whole(negative, significand, exponent, rounding) {
+            Whole::Number(number) if number != 0 => from_integer(number, to),
+            _ => FormatParameters::of(to).sign(negative),
+        },
+        _ => between(raw, from, to),
+    }
+}
+
 #[cfg(test)]
 mod tests;

@@ -51,6 +51,9 @@ fn plain(
         Operation::FromBcd => integer::wrapped(bcd::number(raw, from), to),
         Operation::ToBcd => bcd::encoded(raw, from, to),
         Operation::Concatenate => return None,
+        Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor if to.is_real() => {
+            real::whole(raw, from, to, signature.operation.choices(choices).rounding)
+        }
         operation => convert(raw, from, to, &operation.choices(choices))?,
     };
     Some(Value::plain(to, result))

@@ -13,7 +13,7 @@ mod sections;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use stickler_types::{Contradiction, DialectName, RecordingOrigin, Relation};
+use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation};
 
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -67,6 +67,8 @@ pub struct Source {
     pub(crate) examples: BTreeMap<String, SectionExamples>,
     /// The claims of other sources that the source contradicts.
     pub contradicts: Vec<Contradiction>,
+    /// The results of calls that the source prints, and of which no dialect has a case.
+    pub printed: Vec<PrintedResult>,
     /// The symptoms that the source says must not be, whatever program shows them.
     pub symptoms: Vec<ToldSymptom>,
     /// The first paragraph of each rule; empty for every other source.

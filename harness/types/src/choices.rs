@@ -129,6 +129,8 @@ words! {
         Seconds = "seconds",
         /// Milliseconds, and days for a date.
         DaysAndMilliseconds = "days-and-milliseconds",
+        /// As `days-and-milliseconds`, but the days of a date are counted from 1990-01-01.
+        DaysSince1990 = "days-since-1990",
         /// Each type is an integer that counts its own unit, modulo 2^n: TIME and TOD 32 bits of milliseconds, DATE and DT 32 bits
         /// of seconds, LTIME and LTOD 64 bits of nanoseconds without a sign, LDATE and LDT with one. A real number
         /// becomes such an integer as it becomes any other, and each type converts to each; only TOD gives LTIME its count,

@@ -1,4 +1,4 @@
-//! Contradictions between the sources of one compiler, and the relation of a publisher to the makers of the compiler.
+//! Contradictions between the sources of one compiler, what a source prints without a case, and the relation of a publisher to the makers of the compiler.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -32,6 +32,19 @@ impl fmt::Display for Relation {
             Relation::ThirdParty => "third party",
         })
     }
+}
+
+/// A result that a source prints of a call, where no dialect has a case of it.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct PrintedResult {
+    /// The key of the source, which stands for the system.
+    pub source: String,
+    /// The source and section, and the address at which it stands.
+    pub basis: String,
+    /// The call, with typed literals: `REAL_TO_INT(REAL#1.5)`.
+    pub call: String,
+    /// The result: a typed literal, or words without a `#`, such as `operation error 3401H`.
+    pub result: String,
 }
 
 /// Claims of other sources that a section of a source contradicts, so that they bind no compiler for which that source speaks unless

@@ -70,6 +70,11 @@ choices! {
             ["flags.third-edition-types", "language.third-edition-types"];
         /// ROUND, CEIL, CEILING and FLOOR are known.
         rounding_functions: bool = true, ["flags.rounding-functions"];
+        /// ROUND, CEIL and FLOOR give a DINT, as TRUNC does, and all of them another number whose type their name ends with: `ROUND_UINT`,
+        /// `ROUND_REAL`. Otherwise ROUND and its kin give a DINT for a REAL and a LINT for an LREAL.
+        ///
+        /// Basis: siemens-manual-2016: 294.
+        rounds_to_dint: bool = false, ["flags.rounds-to-dint"];
         /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
         /// conversions are warned of, so is this.
         ///
@@ -423,7 +428,8 @@ mod tests {
         assert_eq!(
             DialectName::ALL.map(has),
             [
-                false, true, true, false, true, true, true, true, true, true, true, true, true, false, true
+                false, true, true, false, true, true, true, true, true, true, true, true, true, true, false,
+                true
             ]
         );
         assert!(Dialect::of(DialectName::IRONPLC_ED2).has(ElementaryType::Time));

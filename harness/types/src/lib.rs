@@ -15,7 +15,7 @@
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
 //! | what a program asks a compiler about its conversions | [`Question`], [`ConversionCall`] |
-//! | what a source says against the claims of others, and who publishes it | [`Contradiction`], [`Relation`] |
+//! | what a source says against the claims of others, and who publishes it; what it prints without a case | [`Contradiction`], [`Relation`], [`PrintedResult`] |
 //! | what answered when a compiler was recorded | [`RecordingOrigin`] |
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
@@ -57,7 +57,7 @@ pub use choices::{
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
-pub use contradiction::{Contradiction, Relation};
+pub use contradiction::{Contradiction, PrintedResult, Relation};
 pub use declared_features::DeclaredFeatures;
 pub use diagnostic::{Diagnostic, Severity};
 pub use dialect::{Dialect, DialectKind, Stated};

@@ -10,11 +10,11 @@ use crate::output;
 use std::io::Write;
 use stickler_conversions::overview::{self, AnswerSource, AssertedResult, OverviewPage};
 use stickler_conversions::recording::Recording;
-use stickler_conversions::{FunctionDialects, all_functions, find_function};
+use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
 use stickler_suite::SourceKind;
-use stickler_types::{DialectName, Value, wrap};
+use stickler_types::{DialectName, PrintedResult, Value, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -29,18 +29,28 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         return Ok(Exit::AsExpected);
     };
     let function = function.to_ascii_uppercase();
-    let FunctionDialects { having, lacking } = find_function(&function, &arguments.dialect)?;
+    let Known {
+        asserted,
+        documented,
+        recordings,
+        contradictions,
+        printed,
+    } = known(arguments, &function)?;
+    let found = find_function(&function, &arguments.dialect);
+    if matches!(found, Err(NoSuchFunction::Anywhere { .. })) && !printed.is_empty() && !arguments.json {
+        let page = OverviewPage {
+            printed: &printed,
+            ..OverviewPage::default()
+        };
+        page.write(out)?;
+        return Ok(Exit::AsExpected);
+    }
+    let FunctionDialects { having, lacking } = found?;
     let mut calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let Known {
-        asserted,
-        printed,
-        recordings,
-        contradictions,
-    } = known(arguments, &function)?;
     if arguments.values.is_empty() {
-        add_printed(&mut calls, &printed);
+        add_documented(&mut calls, &documented);
     }
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
@@ -64,6 +74,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     } else {
         let page = OverviewPage {
             results: &results,
+            printed: &printed,
             lacking: &lacking,
             engines: &identities,
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
@@ -87,11 +98,13 @@ struct Known {
     /// The results that cases assert.
     asserted: Vec<AssertedResult>,
     /// The operands of those of them that rest on a document, with the dialect.
-    printed: Vec<(DialectName, Vec<Value>)>,
+    documented: Vec<(DialectName, Vec<Value>)>,
     /// The recordings of compilers.
     recordings: Vec<Recording>,
     /// The statements of sources against others of the same system.
     contradictions: Vec<String>,
+    /// What sources print of it without a case.
+    printed: Vec<PrintedResult>,
 }
 
 /// Returns what the folder of cases holds on a function, where there is one.
@@ -115,22 +128,27 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
         false => Vec::new(),
     };
     let asserted = documented::asserted_results(&suite, function);
-    let is_printed = |one: &&AssertedResult| {
+    let is_documented = |one: &&AssertedResult| {
         let source = suite.sources.of(&one.basis);
         source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
     };
-    let printed = asserted.iter().filter(is_printed);
+    let documented = asserted.iter().filter(is_documented);
+    let is_asked = |printed: &&PrintedResult| printed.call.split('(').next() == Some(function);
+    let printed = suite.sources.iter().flat_map(|source| &source.printed);
     Ok(Known {
-        printed: printed.map(|one| (one.dialect, one.operands.clone())).collect(),
+        documented: documented
+            .map(|one| (one.dialect, one.operands.clone()))
+            .collect(),
         asserted,
         recordings,
         contradictions: documented::contradictions(&suite, function),
+        printed: printed.filter(is_asked).cloned().collect(),
     })
 }
 
 /// Adds the operands whose results pages print and no rule gives, so that they are shown without being asked for.
-fn add_printed(calls: &mut [(Signature, Vec<Vec<Value>>)], printed: &[(DialectName, Vec<Value>)]) {
-    for (dialect, operands) in printed {
+fn add_documented(calls: &mut [(Signature, Vec<Vec<Value>>)], documented: &[(DialectName, Vec<Value>)]) {
+    for (dialect, operands) in documented {
         for (signature, shown) in &mut *calls {
             let is_new = signature.takes(operands) && !shown.contains(operands);
             if is_new

@@ -219,7 +219,10 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
         Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.moment_units, family) {
             (MomentUnits::Seconds | MomentUnits::Counts, _) => "the number counts seconds since 1970-01-01",
             (MomentUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
-            (MomentUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
+            (MomentUnits::DaysSince1990, Family::Date) => "the number counts days since 1990-01-01",
+            (MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990, _) => {
+                "the number counts milliseconds since 1970-01-01"
+            }
         },
         _ => "the number counts milliseconds",
     }

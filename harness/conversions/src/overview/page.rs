@@ -8,10 +8,12 @@ use crate::literals;
 use crate::session::RefusalKind;
 use crate::table::{Alignment, Cell, Table};
 use anstyle::{AnsiColor, Style};
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
-use stickler_types::{DialectName, ElementaryType, Family, Value, shortened, wrap, wrap_within};
+use stickler_types::{DialectName, ElementaryType, Family, Value};
+use stickler_types::{PrintedResult, shortened, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -42,9 +44,12 @@ const MANY: usize = 3;
 const LARGE: f64 = 1e16;
 
 /// The page that shows what a function gives.
+#[derive(Default)]
 pub struct OverviewPage<'p> {
     /// The results, one table for each signature.
     pub results: &'p [SignatureResults],
+    /// What sources print of the function where no case holds it.
+    pub printed: &'p [PrintedResult],
     /// The requested dialects that lack the function.
     pub lacking: &'p [DialectName],
     /// The engines that were asked.
@@ -64,6 +69,7 @@ impl OverviewPage<'_> {
             self.write_signature(results, &mut notes, out)?;
             writeln!(out)?;
         }
+        self.write_printed(&mut notes, out)?;
         notes.write(out)?;
         let Some(first) = self.results.first() else {
             return Ok(());
@@ -81,6 +87,30 @@ impl OverviewPage<'_> {
             )?;
         }
         Ok(())
+    }
+
+    /// Writes what sources print: a row for each call, a column for each source.
+    fn write_printed(&self, notes: &mut Footnotes, out: &mut dyn Write) -> io::Result<()> {
+        let once = |of: fn(&PrintedResult) -> &String| self.printed.iter().map(of).collect::<BTreeSet<_>>();
+        let sources = once(|printed| &printed.source);
+        let mut head = vec![Cell::left("printed, and no case")];
+        head.extend(sources.iter().map(Cell::left));
+        let mut table = Table::of_values(vec![head], 1, GAP);
+        for call in once(|printed| &printed.call) {
+            let mut row = vec![Cell::left(call)];
+            for source in &sources {
+                let is_here = |one: &&PrintedResult| one.source == **source && one.call == *call;
+                let found = self.printed.iter().find(is_here);
+                let cell = found.map(|one| format!("{} {}", one.result, notes.letter(&one.basis)));
+                row.push(Cell::left(cell.unwrap_or_default()));
+            }
+            table.row(row);
+        }
+        if self.printed.is_empty() {
+            return Ok(());
+        }
+        table.write(out, Some(WIDTH))?;
+        writeln!(out)
     }
 
     fn write_signature(
@@ -279,13 +309,13 @@ impl Footnotes {
         }
     }
 
-    fn letter(&mut self, basis: &Arc<str>) -> char {
+    fn letter(&mut self, basis: &str) -> char {
         let index = self
             .bases
             .iter()
-            .position(|known| known == basis)
+            .position(|known| **known == *basis)
             .unwrap_or_else(|| {
-                self.bases.push(Arc::clone(basis));
+                self.bases.push(basis.into());
                 self.bases.len() - 1
             });
         // There are fewer documents with fewer sections than letters.

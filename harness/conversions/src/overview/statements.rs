@@ -11,7 +11,7 @@ pub use builder::StatementsBuilder;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
-use stickler_types::{DialectName, MatrixWord, Value};
+use stickler_types::{DialectName, MatrixWord, PrintedResult, Value};
 
 /// The statements of documents about conversions, and which case of a run asks which question.
 #[derive(Default, Serialize)]
@@ -31,6 +31,9 @@ pub struct Statements {
     /// The calls of which a vendor's page states another value than was recorded: the number of the call, the index of the dialect
     /// among all, the word of that value and the word of its basis.
     disputed: Vec<(usize, usize, u32, u32)>,
+    /// What sources print of calls that no case makes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub printed: Vec<PrintedResult>,
     /// The number of the question of each case that asks one, by the id of the case.
     #[serde(skip)]
     questions: HashMap<Arc<str>, QuestionNumber>,

@@ -16,7 +16,7 @@ const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
         (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
-        (Family::Date, MomentUnits::DaysAndMilliseconds) => DAY.unsigned_abs(),
+        (Family::Date, MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990) => DAY.unsigned_abs(),
         _ => 1_000_000,
     }
 }

@@ -43,7 +43,7 @@ fn counts_real_units(signature: &Signature, choices: &ConversionChoices) -> bool
     use Family::{Date, DateAndTime, Duration, TimeOfDay};
     signature.operands == [ElementaryType::Real]
         && match choices.moment_units {
-            MomentUnits::Seconds => false,
+            MomentUnits::Seconds | MomentUnits::DaysSince1990 => false,
             MomentUnits::DaysAndMilliseconds => signature.result.family() == Date,
             MomentUnits::Counts => {
                 matches!(
@@ -110,10 +110,16 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
             .flat_map(|name| signatures(name, dialect))
         {
             let plain = |ty: &ElementaryType| !ty.is_text() && ty.bits() <= 32;
+            let choices = choices_of(dialect);
+            let is_slow = match signature.result.family() {
+                Family::Date => choices.moment_units == MomentUnits::DaysSince1990,
+                Family::Real => signature.operation != Operation::Convert,
+                _ => false,
+            };
             let quick = signature.operands.len() == 1
+                && !is_slow
                 && signature.operands.iter().all(plain)
                 && !signature.result.is_text();
-            let choices = choices_of(dialect);
             let bulk = Bulk::new(&signature, &choices);
             assert_eq!(
                 bulk.is_some(),

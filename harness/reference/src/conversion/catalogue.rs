@@ -64,6 +64,8 @@ pub struct ConversionFunction {
 enum RuleLookup {
     /// By the pair of types.
     Pair(ConversionChoices),
+    /// [`ConversionRule::ToWhole`].
+    Whole(Rounding),
     /// [`ConversionRule::FromBcd`].
     FromBcd,
     /// [`ConversionRule::ToBcd`].
@@ -143,6 +145,7 @@ impl ConversionFunction {
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
             RuleLookup::Pair(choices) => ConversionRule::between(argument, result, &choices),
+            RuleLookup::Whole(rounding) => Some(ConversionRule::ToWhole(rounding)),
             RuleLookup::FromBcd => Some(ConversionRule::FromBcd),
             RuleLookup::ToBcd => Some(ConversionRule::ToBcd),
         };
@@ -168,7 +171,8 @@ impl ConversionFunction {
 /// | `INT_TO_BCD` | INT, DINT | BYTE or WORD, by the target |
 /// | `<BITS>_BCD_TO_<UNSIGNED>`, `BCD_TO_<UNSIGNED>` | a bit string | the integer |
 /// | `<UNSIGNED>_TO_BCD_<BITS>`, `TO_BCD_<BITS>` | an unsigned integer | the bit string |
-/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR` | REAL, LREAL | DINT, LINT |
+/// | `ROUND`, `CEIL`, `CEILING`, `FLOOR` | REAL, LREAL | DINT, LINT; DINT where the dialect says so |
+/// | `ROUND_<NUMBER>` …, `TRUNC_<REAL>` where the dialect says so | REAL, LREAL | the number |
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern; for the overloaded and BCD names of the third
 /// edition iec-61131-3: data type conversion functions; for ROUND and its kin, which the ForgeIEC page says
@@ -234,22 +238,37 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
 /// TRUNC and its kin, ROUND and its kin.
 fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     let any_real = any_of(REALS, ElementaryType::Real);
-    if name == "TRUNC" {
-        return truncation(any_real, ElementaryType::Dint, dialect);
-    }
-    if let Some(to) = name.strip_prefix("TRUNC_") {
-        return truncation(any_real, elementary(to, dialect)?, dialect);
-    }
-    let rounding = match name {
+    let (stem, named) = match name.split_once('_') {
+        Some((stem, to)) => {
+            let to = elementary(to, dialect).filter(|ty| ty.is_integer() || ty.is_real());
+            (stem, Some(to?))
+        }
+        None => (name, None),
+    };
+    let rounding = match stem {
+        "TRUNC" => Rounding::Truncate,
         "ROUND" => Rounding::HalfToEven,
         "CEIL" | "CEILING" => Rounding::Up,
         "FLOOR" => Rounding::Down,
         _ => return None,
     };
+    let to = named.unwrap_or(ElementaryType::Dint);
+    if stem == "TRUNC" && to.is_integer() {
+        return truncation(any_real, to, dialect);
+    }
+    let result = match named {
+        None if !dialect.rounds_to_dint => ResultType::OfArgument,
+        Some(_) if !dialect.rounds_to_dint => return None,
+        _ => ResultType::Exactly(to),
+    };
+    let meaning = match to.is_real() {
+        true => RuleLookup::Whole(rounding),
+        false => RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),
+    };
     dialect.rounding_functions.then_some(ConversionFunction {
         parameter: any_real,
-        result: ResultType::OfArgument,
-        meaning: RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),
+        result,
+        meaning,
     })
 }
 

@@ -16,8 +16,17 @@ const fn unit(ty: ElementaryType, units: MomentUnits) -> i64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
         (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
-        (Family::Date, MomentUnits::DaysAndMilliseconds) => DAY,
+        (Family::Date, MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990) => DAY,
         _ => 1_000_000,
+    }
+}
+
+/// Nanoseconds from 1970-01-01 to the moment from which a type is counted.
+#[inline(always)]
+const fn origin(ty: ElementaryType, units: MomentUnits) -> i64 {
+    match (ty.family(), units) {
+        (Family::Date, MomentUnits::DaysSince1990) => 7_305 * DAY,
+        _ => 0,
     }
 }
 
@@ -61,7 +70,9 @@ pub fn between_counts(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
 #[inline]
 #[must_use]
 pub fn to_units(raw: u64, from: ElementaryType, units: MomentUnits) -> u64 {
-    let whole = (raw.cast_signed() / unit(from, units)).cast_unsigned();
+    // A date is a whole number of days, as its origin is, so that dividing first is exact and cannot overflow.
+    let unit = unit(from, units);
+    let whole = (raw.cast_signed() / unit - origin(from, units) / unit).cast_unsigned();
     match units {
         MomentUnits::Counts => narrow(whole, counter(from)),
         _ => whole,
@@ -74,8 +85,8 @@ pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: 
     if units == MomentUnits::Counts {
         return real::from_integer(to_units(raw, from, units), counter(from), to);
     }
-    let nanoseconds = raw.cast_signed();
-    let magnitude = nanoseconds.unsigned_abs().into();
+    let nanoseconds = i128::from(raw.cast_signed()) - i128::from(origin(from, units));
+    let magnitude = nanoseconds.unsigned_abs();
     Exact::quotient(nanoseconds < 0, magnitude, unit(from, units).unsigned_abs(), 0).to_real(to)
 }
 
@@ -91,7 +102,10 @@ pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
             let count = narrow(raw, counter(to)).cast_signed();
             whole(count.wrapping_mul(unit(to, units)), to)
         }
-        _ => whole(raw.cast_signed().wrapping_mul(unit(to, units)), to),
+        _ => {
+            let nanoseconds = raw.cast_signed().wrapping_mul(unit(to, units));
+            whole(nanoseconds.wrapping_add(origin(to, units)), to)
+        }
     }
 }
 
@@ -101,6 +115,7 @@ pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
 #[must_use]
 pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     let value = real::decode(raw, from);
+    let origin = origin(to, units);
     let unit = unit(to, units);
     let nanoseconds = if from == ElementaryType::Real && unit != DAY {
         // A REAL has 24 binary digits, and the units but for the day have at most 21 before their zeros: the product is exact.
@@ -108,7 +123,7 @@ pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units
     } else {
         from_long_real_units(value, unit)
     };
-    whole(nanoseconds.cast_signed(), to)
+    whole(nanoseconds.cast_signed().wrapping_add(origin), to)
 }
 
 /// Returns so many units of any number; not inlined, so that the loop for REAL stays small.

@@ -103,6 +103,17 @@ fn rounded(value: f64, rounding: Rounding) -> i64 {
     }
 }
 
+/// The number rounded to a whole one; NaN and the infinities stay.
+pub fn to_whole(value: f64, rounding: Rounding) -> f64 {
+    // Numbers from 2^52 on have no fraction.
+    let has_fraction = value.abs() < 4_503_599_627_370_496.0;
+    if has_fraction {
+        (rounded(value, rounding) as f64).copysign(value)
+    } else {
+        value
+    }
+}
+
 /// The number rounded to an integer, or the limit of the target that lies next to it, the infinities included;
 /// NaN gives 0. The target is an integer or a bit string.
 #[inline]

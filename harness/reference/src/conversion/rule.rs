@@ -38,6 +38,9 @@ pub enum ConversionRule {
     /// REAL to LREAL exactly, LREAL to REAL rounded to nearest, ties to even.
     /// Basis: forgeiec-conversion-functions: Range and precision (`LREAL_TO_REAL`).
     BetweenReals,
+    /// A real number, rounded to a whole one that is a real number, too.
+    /// Basis: siemens-manual-2016: 294 (`ROUND_REAL`); siemens-manual-2009: 123 (NaN and the infinities stay).
+    ToWhole(Rounding),
     /// Rounded to an integer, which is then brought into the target; NaN gives 0.
     /// Basis: that of the rounding and of the range; rule: not-stated for NaN.
     FromReal(Rounding, OutOfRange),
@@ -230,6 +233,9 @@ impl Conversion {
             ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
             ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
             ConversionRule::BetweenReals => real::between(value, self.from, self.to),
+            ConversionRule::ToWhole(rounding) => {
+                real::encode(real::to_whole(real::decode(value, self.from), rounding), self.to)
+            }
             ConversionRule::FromReal(rounding, out_of_range) => {
                 let value = real::decode(value, self.from);
                 from_real(value, self.to, rounding, out_of_range)

@@ -255,6 +255,7 @@ fn pairs_of_types() -> impl Iterator<Item = (DialectName, ElementaryType, Elemen
 /// Returns a literal for a constant of a type that converts to 3, in a dialect in which durations and dates may count in nanoseconds.
 fn literal_for_three(ty: ElementaryType, dialect: &Dialect) -> &'static str {
     let counts = dialect.conversions.moment_units == MomentUnits::Counts;
+    let since_1990 = dialect.conversions.moment_units == MomentUnits::DaysSince1990;
     match ty.name() {
         "BOOL" => "TRUE",
         "STRING" => "'3'",
@@ -266,6 +267,8 @@ fn literal_for_three(ty: ElementaryType, dialect: &Dialect) -> &'static str {
         "LTOD" if counts => "LTOD#0:0:0.000000003",
         "LDT" if counts => "LDT#1970-01-01-00:00:00.000000003",
         "LTIME" => "LTIME#3ms",
+        "DATE" if since_1990 => "D#1990-01-01",
+        "LDATE" if since_1990 => "LDATE#1990-01-01",
         "DATE" => "D#1970-01-01",
         "LDATE" => "LDATE#1970-01-01",
         "TOD" => "TOD#0:0:0.003",

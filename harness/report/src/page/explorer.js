@@ -188,7 +188,22 @@ function functionView(one, value) {
     el("h3", {}, link(addressOf(one.name, { from: one.operands[0] }), title)),
     value !== "" && wanted === undefined ? el("p.notice", {}, `The page does not hold ${value} for it. `, el("code", {}, command), " ", copyButton("command", command)) : null,
     plotOf(one, rows, columns),
-    valueTable(title, one, rows, columns, wanted));
+    valueTable(title, one, rows, columns, wanted), printedTable(one.name));
+}
+
+/** Returns what documents print of a function where no case holds it, a row for each call and a column for each document; null where there is nothing. */
+function printedTable(name) {
+  const printed = (conversions().statements.printed || []).filter(({ call }) => call.startsWith(`${name}(`));
+  if (printed.length === 0) return null;
+  const [calls, sources, bases] = ["call", "source", "basis"].map((key) => [...new Set(printed.map((one) => one[key]))]);
+  const letter = (basis) => el("sup", {}, String.fromCharCode(97 + bases.indexOf(basis)));
+  const cell = (found) => (found === undefined ? el("td", {}) : el("td", { title: found.basis }, found.result, " ", letter(found.basis)));
+  return el("div", {},
+    el("div.scroll", { tabindex: "0", role: "region", "aria-label": `Printed of ${name}` }, el("table.values", {}, el("caption", {}, "What documents print of other systems and calls, and no case holds"),
+      el("thead", {}, el("tr", {}, ["", ...sources].map((source) => el("th", { scope: "col" }, source)))),
+      el("tbody", {}, calls.map((call) => el("tr", {}, el("th", { scope: "row" }, call),
+        sources.map((source) => cell(printed.find((one) => one.call === call && one.source === source)))))))),
+    el("ul.notes", {}, bases.map((basis) => el("li", {}, letter(basis), " ", basis))));
 }
 
 /** Returns whether a row is shown without being asked for: a boundary value, what was looked for, or where an engine contradicts a source. */

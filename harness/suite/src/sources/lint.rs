@@ -54,6 +54,7 @@ impl Sources {
             } else if !source.is_built_in()
                 && !is_cited(source)
                 && source.contradicts.is_empty()
+                && source.printed.is_empty()
                 && source.symptoms.is_empty()
             {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());

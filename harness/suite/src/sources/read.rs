@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::{Contradiction, Relation};
+use stickler_types::{Contradiction, PrintedResult, Question, Relation, Value};
 use toml::Spanned;
 
 use super::examples::OmittedEntry;
@@ -40,8 +40,13 @@ struct SourceEntry {
     #[serde(default)]
     contradicts: Vec<Spanned<Contradiction>>,
     #[serde(default)]
+    printed: PrintedSections,
+    #[serde(default)]
     symptoms: Vec<ToldSymptom>,
 }
+
+/// The calls that sections print, each with its result.
+type PrintedSections = BTreeMap<Spanned<String>, BTreeMap<Spanned<String>, String>>;
 
 /// The sources of a suite, and what is wrong with their files.
 #[derive(Debug)]
@@ -120,6 +125,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         limitations: BTreeMap::new(),
         examples: BTreeMap::new(),
         contradicts: Vec::new(),
+        printed: Vec::new(),
         symptoms: Vec::new(),
         paragraphs,
         line: 1,
@@ -222,7 +228,7 @@ impl SourcesReader<'_> {
             }
         }
         let contradicts = entry.contradicts.into_iter().map(Spanned::into_inner);
-        Some(Source {
+        let mut source = Source {
             key: name.to_owned(),
             title: entry.title,
             publisher: entry.publisher,
@@ -237,10 +243,44 @@ impl SourcesReader<'_> {
             limitations,
             examples,
             contradicts: contradicts.collect(),
+            printed: Vec::new(),
             symptoms: entry.symptoms,
             paragraphs: BTreeMap::new(),
             line: self.lines.line(at),
-        })
+        };
+        source.printed = self.printed(&source, entry.printed);
+        Some(source)
+    }
+
+    /// Returns what the sections print: the result of each call, a typed literal or words without a `#`.
+    fn printed(&mut self, source: &Source, all: PrintedSections) -> Vec<PrintedResult> {
+        let mut printed = Vec::new();
+        for (section, calls) in all {
+            let (at, section) = (section.span().start, section.get_ref());
+            if let Some(expected) = source.sections.unknown(section) {
+                let message = format!("calls printed by no section `{section}`; {expected}");
+                self.wrong(at, &source.key, message);
+            }
+            for (call, result) in calls {
+                let (at, call) = (call.span().start, call.into_inner());
+                let is_call = format!("{call} : INT").parse::<Question>().is_ok();
+                if !is_call || (result.contains('#') && Value::parse(&result).is_err()) {
+                    let message = format!(
+                        "`{call}` is not printed with typed literals: `REAL_TO_INT(REAL#2.5)` = `INT#2`, or a result in words without a `#`"
+                    );
+                    self.wrong(at, &source.key, message);
+                }
+                let basis = format!("{}: {section} ({})", source.key, source.address_of(section));
+                let source = source.key.clone();
+                printed.push(PrintedResult {
+                    source,
+                    basis,
+                    call,
+                    result,
+                });
+            }
+        }
+        printed
     }
 
     fn kind(&mut self, key: &str, kind: &Spanned<String>) -> Option<SourceKind> {

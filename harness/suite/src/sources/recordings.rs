@@ -58,6 +58,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         recorded,
         limitations: BTreeMap::new(),
         examples: BTreeMap::new(),
+        printed: Vec::new(),
         symptoms: Vec::new(),
         contradicts: Vec::new(),
         paragraphs: BTreeMap::new(),

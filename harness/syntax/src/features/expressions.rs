@@ -132,11 +132,13 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let elementary = ElementaryType::from_name;
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
+        let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);
         let key = match upper.split_once("_TO_") {
             Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",
             _ if has("BCD") => "conversion-bcd",
             Some((from, to)) if elementary(from).is_some() && elementary(to).is_some() => "conversion",
             _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
+            _ if upper.contains('_') && rounds() && parts_are_types() => "rounding-typed",
             _ if upper.starts_with("TO_") && parts_are_types() => "conversion-overloaded",
             _ if upper.starts_with("CONCAT_") && parts_are_types() => "concat-date-time",
             // The name alone is the key of the operator.

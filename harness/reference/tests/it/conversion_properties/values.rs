@@ -121,12 +121,21 @@ fn order(left: u64, right: u64, ty: ElementaryType) -> Option<std::cmp::Ordering
 fn stays_within(conversion: Conversion, raw: u64) -> bool {
     const MILLION: i128 = 1_000_000;
     let Conversion { from, to, rule } = conversion;
+    let units = match rule {
+        ConversionRule::ToUnits(units)
+        | ConversionRule::FromUnits(units)
+        | ConversionRule::FromRealUnits(units) => units,
+        _ => MomentUnits::Seconds,
+    };
     let in_days = matches!(
-        rule,
-        ConversionRule::ToUnits(MomentUnits::DaysAndMilliseconds)
-            | ConversionRule::FromUnits(MomentUnits::DaysAndMilliseconds)
-            | ConversionRule::FromRealUnits(MomentUnits::DaysAndMilliseconds)
+        units,
+        MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990
     );
+    // The days from 1970 to the date that counts as 0.
+    let zero = match units {
+        MomentUnits::DaysSince1990 if [from.family(), to.family()].contains(&Family::Date) => 7_305,
+        _ => 0,
+    };
     // Nanoseconds in the unit in which the type is counted.
     let unit = |ty: ElementaryType| match ty.family() {
         Family::Date if in_days => 86_400_000 * MILLION,
@@ -143,7 +152,7 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
             if day {
                 (0.0..8.6e7).contains(&number)
             } else {
-                number.abs() < most * 0.999
+                number.abs() < most * 0.9
             }
         }
         (Family::Real, _) => {
@@ -156,10 +165,11 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
         _ if moment(from) && moment(to) => to.family() != Family::TimeOfDay,
         _ if moment(from) => {
             let (low, high) = to.integer_range().unwrap_or((0, 0));
-            to == ElementaryType::Bool || (low..=high).contains(&(from.integer_value(raw) / unit(from)))
+            to == ElementaryType::Bool
+                || (low..=high).contains(&(from.integer_value(raw) / unit(from) - zero))
         }
         (_, Family::TimeOfDay) => (0..86_400_000).contains(&from.integer_value(raw)),
-        _ if moment(to) => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to),
+        _ if moment(to) => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to) - zero,
         (_, Family::Character) => from.integer_value(raw) >= 0 && from.integer_value(raw) < 128,
         (_, Family::Boolean) => true,
         _ => {
