@@ -21,12 +21,18 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     }
     let text = ascii.trim_matches(' ');
     let number = |beginning: fn(&str) -> &str| match reading {
-        TextReading::WholeText if whole => text,
-        TextReading::WholeText => "",
+        TextReading::WholeText | TextReading::WholeTextInRange if whole => text,
+        TextReading::WholeText | TextReading::WholeTextInRange => "",
         TextReading::LeadingNumber | TextReading::LeadingDigits => beginning(text),
     };
     match to.family() {
-        Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
+        Family::Signed | Family::Unsigned | Family::BitString => {
+            let text = number(leading_integer);
+            match reading == TextReading::WholeTextInRange && !is_in_range(text, to) {
+                true => 0,
+                false => read_integer(text, to),
+            }
+        }
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),
@@ -137,6 +143,13 @@ fn digits_length(text: &str, base: u32) -> usize {
         end += 1;
     }
     end
+}
+
+/// Returns whether the target holds an integer literal.
+fn is_in_range(text: &str, to: ElementaryType) -> bool {
+    let value = literal::integer(text).ok();
+    let range = to.integer_range();
+    range.is_some_and(|(least, greatest)| value.is_some_and(|value| (least..=greatest).contains(&value)))
 }
 
 /// An integer literal modulo 2^n of the target, however many digits it has.
