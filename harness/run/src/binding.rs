@@ -68,17 +68,12 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
         return Binding::Own;
     };
     let begins_later =
-        |other: &&Source| engine.is_some_and(|engine| other.versions.begin_after(&engine.version));
-    for other in suite.sources.iter().filter(|other| !begins_later(other)) {
-        let is_of = |contradiction: &&Contradiction| {
-            contradiction.until.is_none()
-                && !contradiction.outweighed
-                && contradiction.is_of(claim.basis, (claim.case, claim.program))
-                && is_own(other, &contradiction.section, claim.dialect, engine, suite)
-        };
-        if let Some(contradiction) = other.contradicts.iter().find(is_of) {
-            return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
-        }
+        |source: &Source| engine.is_some_and(|engine| source.versions.begin_after(&engine.version));
+    let is_lasting = |(source, other): &(&Source, &Contradiction)| {
+        other.until.is_none() && !other.outweighed && !begins_later(source)
+    };
+    if let Some((other, contradiction)) = contradictions(claim, engine, suite).find(is_lasting) {
+        return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
     }
     let versions = versions(claim, engine, suite);
     if engine.is_some_and(|engine| !versions.include(&engine.version)) {
@@ -99,21 +94,25 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
 /// as no other source of the system ends the claim. A source of another system limits nothing.
 #[must_use]
 pub fn versions(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Versions {
-    let is_own = |source: &Source, section: &str| is_own(source, section, claim.dialect, engine, suite);
     let cited = suite.sources.of(claim.basis);
-    let cited = cited.filter(|(source, section)| is_own(source, section));
-    let mut versions = cited.map_or_else(Versions::default, |(source, _)| source.versions.clone());
-    for other in suite.sources.iter() {
-        for contradiction in &other.contradicts {
-            if let Some(until) = &contradiction.until
-                && contradiction.is_of(claim.basis, (claim.case, claim.program))
-                && is_own(other, &contradiction.section)
-            {
-                versions = versions.ending_with(until);
-            }
-        }
-    }
-    versions
+    let cited = cited.filter(|(source, section)| is_own(source, section, claim.dialect, engine, suite));
+    let stated = cited.map_or_else(Versions::default, |(source, _)| source.versions.clone());
+    let ends = contradictions(claim, engine, suite).filter_map(|(_, other)| other.until.as_deref());
+    ends.fold(stated, Versions::ending_with)
+}
+
+/// Returns what the sources of an engine's system say against a claim, whatever version they are about.
+fn contradictions<'s>(
+    claim: Claim<'s>,
+    engine: Option<&'s Identity>,
+    suite: &'s Suite,
+) -> impl Iterator<Item = (&'s Source, &'s Contradiction)> {
+    let sources = suite.sources.iter();
+    let all = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
+    all.filter(move |(source, other)| {
+        other.is_of(claim.basis, (claim.case, claim.program))
+            && is_own(source, &other.section, claim.dialect, engine, suite)
+    })
 }
 
 /// Returns whether an engine is asked a case: it speaks the dialect, and the claim begins with no later version than the engine has.

@@ -99,43 +99,36 @@ pub fn version_numbers(version: &str) -> Option<[u64; 3]> {
 mod tests {
     use super::*;
 
-    fn versions(since: &str, until: &str) -> Versions {
-        let end = |text: &str| (!text.is_empty()).then(|| text.to_owned());
-        Versions {
-            since: end(since),
-            until: end(until),
+    #[test]
+    fn a_version_is_compared_by_its_numbers_and_one_without_is_outside_of_any_end() {
+        let since = |first: &str| Versions {
+            since: Some(first.to_owned()),
+            until: None,
+        };
+        for (first, version) in [
+            ("0.244", "0.244.0"),
+            ("0.9", "ironplcc version 0.10-beta"),
+            ("1", "v1"),
+        ] {
+            assert!(
+                since(first).include(version) && !since(first).begin_after(version),
+                "{version}"
+            );
         }
-    }
-
-    #[test]
-    fn versions_compare_by_their_numbers() {
-        let later = versions("0.244", "");
-        assert!(
-            later.include("0.244.0") && later.include("ironplcc version 0.1000.1") && later.include("v1")
-        );
-        assert!(!later.include("0.239.0") && !later.include("0.24.4"));
-        assert!(later.begin_after("0.239.0") && !later.begin_after("0.244.0"));
-        let earlier = versions("", "0.239");
-        assert!(earlier.include("0.239.0-beta") && earlier.include("0.9"));
-        assert!(!earlier.include("0.240") && !earlier.begin_after("0.1"));
-        assert!(!versions("", "0.239").ending_with("0.7").include("0.9"));
-        assert!(versions("", "0.7").ending_with("0.239").include("0.6.1"));
-    }
-
-    #[test]
-    fn a_version_without_a_number_is_outside_of_any_end() {
+        assert!(since("0.244").begin_after("0.239.0") && !since("0.244").include("0.239.0"));
         for unknown in ["", "unknown", "4082459b712a", "20261003", "main at 6bb2c339"] {
-            assert!(!versions("0.1", "").include(unknown), "{unknown}");
-            assert!(!versions("", "99.0").include(unknown), "{unknown}");
-            assert!(!versions("0.1", "").begin_after(unknown), "{unknown}");
-            assert!(versions("", "").include(unknown));
+            assert!(
+                !since("0").include(unknown) && !since("0").begin_after(unknown),
+                "{unknown}"
+            );
+            assert!(Versions::default().include(unknown));
         }
     }
 
     #[test]
-    fn the_first_version_is_not_behind_the_last_one() {
-        assert_eq!(versions("0.239", "0.239.0").mistake(), None);
-        assert!(versions("0.244", "0.239").mistake().is_some());
-        assert!(versions("newest", "").mistake().is_some());
+    fn of_two_ends_the_earlier_one_counts() {
+        let ended = Versions::default().ending_with("0.239");
+        assert_eq!(ended.clone().ending_with("0.1000"), ended);
+        assert!(!ended.ending_with("0.7").include("0.9"));
     }
 }

@@ -198,18 +198,14 @@ fn understood(plan: &Plan, cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::
 /// # Errors
 /// Engines whose versions are earlier than those with which the claims of all cases begin.
 fn begun(cases: &[&Case], engines: &[&dyn Engine], suite: &Suite) -> anyhow::Result<()> {
-    let mut identities = engines.iter().map(|engine| engine.identity());
-    if identities
-        .clone()
-        .any(|engine| cases.iter().any(|case| is_asked(case, engine, suite)))
-    {
-        return Ok(());
+    let mut asked = engines
+        .iter()
+        .map(|engine| cases.iter().any(|case| is_asked(case, engine.identity(), suite)));
+    match asked.any(|is_any| is_any) {
+        true => Ok(()),
+        false => Err(anyhow::Error::new(RunError::NoCaseSelected)
+            .context("the claims of all that is asked for begin with a later version of the engine")),
     }
-    let first = identities.next().map_or_else(String::new, |engine| {
-        format!("{} {}", engine.name, engine.version)
-    });
-    let why = format!("the claims of what is asked for begin with a later version than {first}");
-    Err(anyhow::Error::new(RunError::NoCaseSelected).context(why))
 }
 
 /// Returns, by the name of each engine, the argument of `--engine` that names it again, quoted for a shell.

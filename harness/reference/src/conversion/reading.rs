@@ -28,10 +28,8 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => {
             let text = number(leading_integer);
-            match reading == TextReading::WholeTextInRange && !is_in_range(text, to) {
-                true => 0,
-                false => read_integer(text, to),
-            }
+            let is_taken = reading != TextReading::WholeTextInRange || is_in_range(text, to);
+            if is_taken { read_integer(text, to) } else { 0 }
         }
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
@@ -147,9 +145,11 @@ fn digits_length(text: &str, base: u32) -> usize {
 
 /// Returns whether the target holds an integer literal.
 fn is_in_range(text: &str, to: ElementaryType) -> bool {
-    let value = literal::integer(text).ok();
-    let range = to.integer_range();
-    range.is_some_and(|(least, greatest)| value.is_some_and(|value| (least..=greatest).contains(&value)))
+    let holds = |value| {
+        to.integer_range()
+            .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
+    };
+    literal::integer(text).is_ok_and(holds)
 }
 
 /// An integer literal modulo 2^n of the target, however many digits it has.

@@ -220,13 +220,9 @@ impl SourcesReader<'_> {
                 let message = format!("a contradiction of no section `{section}`; {expected}");
                 self.wrong(contradiction.span().start, name, message);
             }
-            self.dated.extend(
-                contradiction
-                    .get_ref()
-                    .until
-                    .is_some()
-                    .then(|| contradiction.clone()),
-            );
+            if contradiction.get_ref().until.is_some() {
+                self.dated.push(contradiction.clone());
+            }
         }
         let ends = [&entry.since, &entry.until];
         let written = ends.into_iter().flatten().map(|end| end.span().start).last();
