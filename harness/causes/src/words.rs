@@ -11,7 +11,7 @@ use stickler_types::{Dialect, DialectName, ElementaryType, Family};
 pub(crate) static ANY: LazyLock<Dialect> = LazyLock::new(|| Dialect {
     nested_comments: false,
     bit_access: true,
-    partial_access: PartialAccess::UpToDoubleWords,
+    partial_access: PartialAccess::UpToLongWords,
     ampersand_and_power: true,
     ..Dialect::of(DialectName::IRONPLC_ED3).clone()
 });

@@ -52,12 +52,12 @@ pub struct TextCell {
     pub capacity: u32,
 }
 
-/// A part of the bits of a variable: a bit, a byte, a word or a double word.
+/// A part of the bits of a variable: a bit, a byte, a word, a double word or a long word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Part {
     /// The number of the part's lowest bit in the variable.
     pub first: u8,
-    /// The type of the part: BOOL, BYTE, WORD or DWORD.
+    /// The type of the part: BOOL, BYTE, WORD, DWORD or LWORD.
     pub ty: ElementaryType,
 }
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use stickler_engines::{Compiler, Identity, Reference};
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Source, SourceKind, Suite};
-use stickler_types::{Contradiction, DialectName, Relation};
+use stickler_types::{Contradiction, DialectName, Relation, Versions};
 
 /// A claim: that a program of a dialect does what a source states.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +33,8 @@ pub enum Binding {
     OtherSystem,
     /// A claim of which a source of the system itself says otherwise: its basis.
     Contradicted(String),
+    /// A claim that holds for other versions of the compiler than this one, or whose compiler says no version.
+    OtherVersion(Versions),
 }
 
 impl Binding {
@@ -42,7 +44,10 @@ impl Binding {
         match self {
             Binding::Own | Binding::Standard => true,
             Binding::Rule => strict_rules,
-            Binding::Undeclared(_) | Binding::OtherSystem | Binding::Contradicted(_) => false,
+            Binding::Undeclared(_)
+            | Binding::OtherSystem
+            | Binding::Contradicted(_)
+            | Binding::OtherVersion(_) => false,
         }
     }
 }
@@ -51,7 +56,8 @@ impl Binding {
 ///
 /// The source is the one that binds most closely of those that the case file names: what the documents of the system or recordings of
 /// it state, then the standard, which binds in the features that the system declares, then what other systems document, where a miss
-/// is only a difference. A claim that a source of the system itself contradicts binds nobody. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
+/// is only a difference. A claim that a source of the system itself contradicts binds nobody, and one that begins or ends with a version only
+/// compilers of the [versions] for which it holds. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
 /// [that are about](stickler_suite::Sources::are_about) the dialects that it lists, since its author declared that it follows them.
 #[must_use]
 pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Binding {
@@ -61,22 +67,17 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
     let Some((source, section)) = suite.sources.of(claim.basis) else {
         return Binding::Own;
     };
-    let compiler = engine.filter(|engine| Compiler::from_name(&engine.name).is_some());
-    let is_own = |source: &Source, section: &str| match compiler {
-        Some(compiler) => source.speaks_of(section, &compiler.name),
-        None => suite
-            .sources
-            .are_about(source.dialects_of(section), claim.dialect),
+    let begins_later =
+        |source: &Source| engine.is_some_and(|engine| source.versions.begin_after(&engine.version));
+    let is_lasting = |(source, other): &(&Source, &Contradiction)| {
+        other.until.is_none() && !other.outweighed && !begins_later(source)
     };
-    for other in suite.sources.iter() {
-        let is_of = |contradiction: &&Contradiction| {
-            !contradiction.outweighed
-                && contradiction.is_of(claim.basis, (claim.case, claim.program))
-                && is_own(other, &contradiction.section)
-        };
-        if let Some(contradiction) = other.contradicts.iter().find(is_of) {
-            return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
-        }
+    if let Some((other, contradiction)) = contradictions(claim, engine, suite).find(is_lasting) {
+        return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
+    }
+    let versions = versions(claim, engine, suite);
+    if engine.is_some_and(|engine| !versions.include(&engine.version)) {
+        return Binding::OtherVersion(versions);
     }
     match source.kind {
         SourceKind::Standard => match suite.features.undeclared(claim.program, claim.dialect) {
@@ -84,8 +85,58 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
             None => Binding::Standard,
         },
         SourceKind::Rule => Binding::Rule,
-        _ if is_own(source, section) => Binding::Own,
+        _ if is_own(source, section, claim.dialect, engine, suite) => Binding::Own,
         _ => Binding::OtherSystem,
+    }
+}
+
+/// Returns the versions of an engine for which a claim holds; without an engine, of any compiler of the dialect. They are those of the source, as far
+/// as no other source of the system ends the claim. A source of another system limits nothing.
+#[must_use]
+pub fn versions(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Versions {
+    let cited = suite.sources.of(claim.basis);
+    let cited = cited.filter(|(source, section)| is_own(source, section, claim.dialect, engine, suite));
+    let stated = cited.map_or_else(Versions::default, |(source, _)| source.versions.clone());
+    let ends = contradictions(claim, engine, suite).filter_map(|(_, other)| other.until.as_deref());
+    ends.fold(stated, Versions::ending_with)
+}
+
+/// Returns what the sources of an engine's system say against a claim, whatever version they are about.
+fn contradictions<'s>(
+    claim: Claim<'s>,
+    engine: Option<&'s Identity>,
+    suite: &'s Suite,
+) -> impl Iterator<Item = (&'s Source, &'s Contradiction)> {
+    let sources = suite.sources.iter();
+    let all = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
+    all.filter(move |(source, other)| {
+        other.is_of(claim.basis, (claim.case, claim.program))
+            && is_own(source, &other.section, claim.dialect, engine, suite)
+    })
+}
+
+/// Returns whether an engine is asked a case: it speaks the dialect, and the claim begins with no later version than the engine has.
+#[must_use]
+pub fn is_asked(case: &Case, engine: &Identity, suite: &Suite) -> bool {
+    let begins_later = |(source, section): (&Source, &str)| {
+        source.versions.begin_after(&engine.version)
+            && is_own(source, section, case.dialect, Some(engine), suite)
+    };
+    engine.speaks(case.dialect)
+        && (engine.name == Reference::NAME || !suite.sources.of(&case.basis).is_some_and(begins_later))
+}
+
+/// Returns whether a source speaks for an engine: by the engine's name where Stickler has an adapter of it, otherwise by the dialect.
+fn is_own(
+    source: &Source,
+    section: &str,
+    dialect: DialectName,
+    engine: Option<&Identity>,
+    suite: &Suite,
+) -> bool {
+    match engine.filter(|engine| Compiler::from_name(&engine.name).is_some()) {
+        Some(compiler) => source.speaks_of(section, &compiler.name),
+        None => suite.sources.are_about(source.dialects_of(section), dialect),
     }
 }
 

@@ -30,7 +30,7 @@ pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, ChangeKind, EngineRun, Entry, EntryChange, MatchedBaseline, bless,
 };
-pub use binding::{Binding, Claim, binding, promise, promise_of, promises};
+pub use binding::{Binding, Claim, binding, is_asked, promise, promise_of, promises, versions};
 pub use case_judge::CaseJudge;
 pub use clip::{clip_facts, clip_line};
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};

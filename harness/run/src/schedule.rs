@@ -9,7 +9,7 @@ use crate::event::{
     CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM, SourceHeader,
 };
 use crate::lacks::{self, Survey, WaitingCases};
-use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, Verdict, select};
+use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, Verdict, is_asked, select};
 use batches::Batches;
 use context::RunContext;
 use known::KnownAnswers;
@@ -56,7 +56,7 @@ pub fn run_with(
 ) -> Result<RunSummary, RunError> {
     let begun = Instant::now();
     let selected = select(plan, &suite.cases);
-    let jobs = jobs(&selected, engines);
+    let jobs = jobs(&selected, engines, suite);
     if jobs.is_empty() {
         return Err(RunError::NoCaseSelected);
     }
@@ -161,16 +161,16 @@ struct Job<'s> {
     engine: usize,
 }
 
-fn jobs<'s>(cases: &[&'s Case], engines: &[&dyn Engine]) -> Vec<Job<'s>> {
-    let speakers = |case: &'s Case| {
-        let speaks = move |(_, engine): &(usize, &&dyn Engine)| engine.identity().speaks(case.dialect);
+fn jobs<'s>(cases: &[&'s Case], engines: &[&dyn Engine], suite: &Suite) -> Vec<Job<'s>> {
+    let asked = |case: &'s Case| {
+        let is_asked = move |(_, engine): &(usize, &&dyn Engine)| is_asked(case, engine.identity(), suite);
         engines
             .iter()
             .enumerate()
-            .filter(speaks)
+            .filter(is_asked)
             .map(move |(engine, _)| Job { case, engine })
     };
-    cases.iter().flat_map(|case| speakers(case)).collect()
+    cases.iter().flat_map(|case| asked(case)).collect()
 }
 
 /// The result of a batch of jobs.

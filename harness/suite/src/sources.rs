@@ -13,7 +13,7 @@ mod sections;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation};
+use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation, Versions};
 
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -56,6 +56,8 @@ pub struct Source {
     pub read: String,
     /// The built-in engines for which the source speaks. A standard and the rules name none.
     pub engines: Vec<String>,
+    /// The versions of these engines for which the claims of the source hold, as far as no [contradiction](Contradiction::until) ends them.
+    pub versions: Versions,
     /// The dialects for which the source speaks; of a standard, those that are the standard itself. The rules name none.
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,

@@ -61,7 +61,7 @@ pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
 pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
     Dialect {
         bit_access: true,
-        partial_access: PartialAccess::UpToDoubleWords,
+        partial_access: PartialAccess::UpToLongWords,
         third_edition_types: ThirdEditionTypes::All,
         lengths_in_parentheses: true,
         ampersand_and_power: true,

@@ -80,6 +80,8 @@ words! {
     TextReading {
         /// The whole text, except blanks at either end; otherwise the result is 0.
         WholeText = "whole-text",
+        /// The whole text, and an integer must be in the range of its type; otherwise the result is 0.
+        WholeTextInRange = "whole-text-in-range",
         /// The longest number at the beginning of the text, after any blanks: `12abc` gives 12; 0 if there is none.
         LeadingNumber = "leading-number",
         /// The longest number in decimal digits at the beginning, after any blanks and tabs; a real may begin or end with its

@@ -1,5 +1,6 @@
 //! Contradictions between the sources of one compiler, what a source prints without a case, and the relation of a publisher to the makers of the compiler.
 
+use crate::Versions;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -65,9 +66,20 @@ pub struct Contradiction {
     /// Whether the claims bind all the same, since they are newer or more specific.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub outweighed: bool,
+    /// The last version of the compiler of which the claims are known to hold: they bind it and those before it, and none after it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<String>,
 }
 
 impl Contradiction {
+    /// Returns whether the section is about later versions of the compiler than this one, as it says it, for which the claims still hold.
+    #[must_use]
+    pub fn begins_after(&self, version: &str) -> bool {
+        let until = self.until.clone();
+        let is_dated = until.is_some();
+        is_dated && Versions { since: None, until }.include(version)
+    }
+
     /// Returns whether a claim is contradicted, of a case with this id or of a program that shows it.
     #[must_use]
     pub fn is_of(&self, basis: &str, (case, program): (&str, &str)) -> bool {

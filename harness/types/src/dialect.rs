@@ -393,7 +393,7 @@ impl Dialect {
             "bit-access" => !self.bit_access,
             "partial-access-bit" => !self.partial_access.is_enabled(),
             "partial-access-byte" | "partial-access-word" | "partial-access-double-word" => {
-                self.partial_access != PartialAccess::UpToDoubleWords
+                !self.partial_access.has_wider_parts()
             }
             "line-comment" => !self.line_comments,
             "nested-comment" => !self.nested_comments,

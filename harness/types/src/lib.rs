@@ -16,6 +16,7 @@
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
 //! | what a program asks a compiler about its conversions | [`Question`], [`ConversionCall`] |
 //! | what a source says against the claims of others, and who publishes it; what it prints without a case | [`Contradiction`], [`Relation`], [`PrintedResult`] |
+//! | the versions of a compiler for which a claim holds | [`Versions`] |
 //! | what answered when a compiler was recorded | [`RecordingOrigin`] |
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
@@ -47,6 +48,7 @@ mod recording_origin;
 pub mod request;
 mod text;
 pub mod value;
+mod versions;
 mod word_table;
 mod words;
 mod wrap;
@@ -77,6 +79,7 @@ pub use recording_origin::RecordingOrigin;
 pub use request::{ClockSetting, Observation, ObservationKey, RunRequest, Setting};
 pub use text::shortened;
 pub use value::Value;
+pub use versions::{Versions, version_numbers};
 pub use word_table::WordTable;
 pub use wrap::{wrap, wrap_within};
 pub use written_value::WrittenValue;

@@ -37,6 +37,8 @@ words! {
         BitsOnly = "bits-only",
         /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
         UpToDoubleWords = "up-to-double-words",
+        /// `.%Ln` selects a long word, too; a part may be as wide as its variable, and a wider one is P4025.
+        UpToLongWords = "up-to-long-words",
         /// P4033 for every form.
         Disabled = "disabled",
         /// P0002 for every form.
@@ -65,8 +67,19 @@ impl Choice for PartialAccess {
 }
 
 impl PartialAccess {
-    pub(crate) const fn is_enabled(self) -> bool {
-        matches!(self, PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords)
+    /// Returns whether `.%Xn` selects a bit.
+    #[must_use]
+    pub const fn is_enabled(self) -> bool {
+        matches!(self, PartialAccess::BitsOnly) || self.has_wider_parts()
+    }
+
+    /// Returns whether `.%Bn`, `.%Wn` and `.%Dn` select parts.
+    #[must_use]
+    pub const fn has_wider_parts(self) -> bool {
+        matches!(
+            self,
+            PartialAccess::UpToDoubleWords | PartialAccess::UpToLongWords
+        )
     }
 }
 

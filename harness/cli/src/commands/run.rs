@@ -21,8 +21,8 @@ use stickler_conversions::overview::Statements;
 use stickler_engines::{Engine, limit_programs};
 use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
-use stickler_run::{AnswerStore, Baseline, Event, Filter, Plan, RunSummary, select};
-use stickler_suite::Case;
+use stickler_run::{AnswerStore, Baseline, Event, Filter, Plan, RunError, RunSummary, is_asked, select};
+use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
 use watch::CaseWatch;
@@ -103,6 +103,7 @@ fn run(
         return Ok(case_folder::nothing_selected(plan, &whole));
     }
     understood(plan, &selected, engines)?;
+    begun(&selected, engines, &suite)?;
     let report_folder =
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
@@ -191,6 +192,19 @@ fn understood(plan: &Plan, cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::
         }
         Some(error) => Err(error),
         None => Ok(()),
+    }
+}
+
+/// # Errors
+/// Engines whose versions are earlier than those with which the claims of all cases begin.
+fn begun(cases: &[&Case], engines: &[&dyn Engine], suite: &Suite) -> anyhow::Result<()> {
+    let mut asked = engines
+        .iter()
+        .map(|engine| cases.iter().any(|case| is_asked(case, engine.identity(), suite)));
+    match asked.any(|is_any| is_any) {
+        true => Ok(()),
+        false => Err(anyhow::Error::new(RunError::NoCaseSelected)
+            .context("the claims of all that is asked for begin with a later version of the engine")),
     }
 }
 

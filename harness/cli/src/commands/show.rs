@@ -6,9 +6,9 @@ use crate::exit::Exit;
 use crate::named_case::NamedCase;
 use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
-use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts};
+use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts, versions};
 use stickler_suite::{Case, Suite};
-use stickler_types::{Relation, wrap};
+use stickler_types::{Relation, Versions, wrap};
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -70,6 +70,10 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
     if !case.is_open() {
         writeln!(out, "{DIM}binds{DIM:#}     {}", bound(case, suite))?;
     }
+    let held = versions(Claim::of(case), None, suite);
+    if held != Versions::default() {
+        writeln!(out, "{DIM}versions{DIM:#}  {held}")?;
+    }
     writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
     writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
     if let Some(question) = &case.question {
@@ -129,6 +133,7 @@ fn bound(case: &Case, suite: &Suite) -> String {
         Binding::Contradicted(by) => {
             format!("no compiler of {dialect}: `{by}` says otherwise of this system, and a miss differs")
         }
+        Binding::OtherVersion(versions) => versions.to_string(),
     }
 }
 

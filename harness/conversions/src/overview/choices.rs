@@ -157,6 +157,9 @@ fn modulo(_: &ConversionChoices, signature: &Signature) -> String {
 fn reading(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.text_reading {
         TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
+        TextReading::WholeTextInRange => {
+            "the whole text, blanks around it aside, must be a number that the type holds; otherwise 0"
+        }
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }

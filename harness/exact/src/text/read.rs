@@ -38,7 +38,9 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
     let value = match to.family() {
         Family::Boolean => whole(&mut scanner, |scanner| boolean(scanner).map(u64::from)),
         Family::Signed | Family::Unsigned | Family::BitString => number(&mut scanner, choices, |scanner| {
-            Integer::read(scanner).map(|integer| residue(integer, to))
+            let integer = Integer::read(scanner)?;
+            let is_outside = choices.text_reading == TextReading::WholeTextInRange && !is_held(&integer, to);
+            (!is_outside).then(|| residue(integer, to))
         }),
         Family::Real => number(&mut scanner, choices, |scanner| real_number(scanner, to)),
         Family::Duration => whole(behind_prefix(&mut scanner, text, to), duration),
@@ -101,7 +103,7 @@ fn number<'t>(
     read: impl Fn(&mut LiteralScanner<'t>) -> Option<u64>,
 ) -> Option<u64> {
     match choices.text_reading {
-        TextReading::WholeText => whole(scanner, read),
+        TextReading::WholeText | TextReading::WholeTextInRange => whole(scanner, read),
         TextReading::LeadingNumber | TextReading::LeadingDigits => read(scanner),
     }
 }
@@ -119,6 +121,18 @@ fn behind_prefix<'s, 't>(
         *scanner = LiteralScanner::new(&text[at + 1..]);
     }
     scanner
+}
+
+/// Returns whether the type holds the integer.
+fn is_held(integer: &Integer<'_>, to: ElementaryType) -> bool {
+    let magnitude = integer.digits.values().fold(0_i128, |number, digit| {
+        number
+            .saturating_mul(integer.base.into())
+            .saturating_add(digit.into())
+    });
+    let value = if integer.negative { -magnitude } else { magnitude };
+    let range = to.integer_range();
+    range.is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
 /// Returns the integer modulo 2^n of the type.

@@ -8,7 +8,6 @@ use std::collections::BTreeSet;
 use stickler_reference::conversion::{conversion_function_name, implicit};
 use stickler_suite::{ProgramPlace, Role, Suite};
 use stickler_types::Dialect;
-use stickler_types::dialect::PartialAccess;
 use stickler_types::{DialectName, ElementaryType};
 
 /// A value that goes from one type to another in a dialect.
@@ -89,11 +88,8 @@ fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: Elementary
             let has_bits = base.is_integer() || base.is_bit_string();
             let form_exists = match form {
                 PartForm::Short => dialect.bit_access,
-                PartForm::PartialAccess => matches!(
-                    dialect.partial_access,
-                    PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords
-                ),
-                PartForm::Wider => dialect.partial_access == PartialAccess::UpToDoubleWords,
+                PartForm::PartialAccess => dialect.partial_access.is_enabled(),
+                PartForm::Wider => dialect.partial_access.has_wider_parts(),
             };
             match claim {
                 BitClaim::Selected | BitClaim::Outside | BitClaim::Rendered => {

@@ -21,12 +21,16 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     }
     let text = ascii.trim_matches(' ');
     let number = |beginning: fn(&str) -> &str| match reading {
-        TextReading::WholeText if whole => text,
-        TextReading::WholeText => "",
+        TextReading::WholeText | TextReading::WholeTextInRange if whole => text,
+        TextReading::WholeText | TextReading::WholeTextInRange => "",
         TextReading::LeadingNumber | TextReading::LeadingDigits => beginning(text),
     };
     match to.family() {
-        Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
+        Family::Signed | Family::Unsigned | Family::BitString => {
+            let text = number(leading_integer);
+            let is_taken = reading != TextReading::WholeTextInRange || is_in_range(text, to);
+            if is_taken { read_integer(text, to) } else { 0 }
+        }
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),
@@ -137,6 +141,15 @@ fn digits_length(text: &str, base: u32) -> usize {
         end += 1;
     }
     end
+}
+
+/// Returns whether the target holds an integer literal.
+fn is_in_range(text: &str, to: ElementaryType) -> bool {
+    let holds = |value| {
+        to.integer_range()
+            .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
+    };
+    literal::integer(text).is_ok_and(holds)
 }
 
 /// An integer literal modulo 2^n of the target, however many digits it has.

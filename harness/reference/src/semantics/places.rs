@@ -12,6 +12,7 @@ use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
+use stickler_types::dialect::PartialAccess;
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -241,7 +242,9 @@ impl<'m> Lowering<'m> {
             self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };
-        if part.bits() >= ty.bits() {
+        let may_be_whole = part != ElementaryType::Bool
+            && self.model.source.dialect.partial_access == PartialAccess::UpToLongWords;
+        if part.bits() >= ty.bits() && !may_be_whole {
             let message = format!("{name} has no more bits than one {part}");
             self.report(Code::BitAccessTypeInvalid, span, message);
             return None;
@@ -255,7 +258,10 @@ impl<'m> Lowering<'m> {
             } else {
                 part.name()
             };
-            let message = format!("{name} has the {what}s 0 to {}", parts - 1);
+            let message = match parts.checked_sub(1) {
+                Some(last) => format!("{name} has the {what}s 0 to {last}"),
+                None => format!("{name} has fewer bits than one {part}"),
+            };
             self.report(Code::BitAccessOutOfRange, span, message);
         }
         let outer = place.part.map_or(0, |outer| outer.first);

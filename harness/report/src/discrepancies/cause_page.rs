@@ -12,7 +12,7 @@ use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
     Reproducer, SourceHeader, Verdict,
 };
-use stickler_types::{Relation, counted, grouped};
+use stickler_types::{Contradiction, Relation, counted, grouped};
 
 /// The maximum number of lines in the table of cases; the others are counted.
 const MAX_LISTED: usize = 40;
@@ -248,7 +248,11 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
     let sources = overview.sources().iter().filter(own);
     let told = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
-    for (source, other) in told.filter(|(_, other)| other.is_of(basis, (case, program))) {
+    let version = overview
+        .engine(&cause.engine)
+        .map_or("", |engine| engine.version.as_str());
+    let is_told = |other: &Contradiction| !other.begins_after(version) && other.is_of(basis, (case, program));
+    for (source, other) in told.filter(|(_, other)| is_told(other)) {
         let section = linked(
             &format!("{}: {}", source.key, other.section),
             &source.address_of(&other.section),
@@ -258,9 +262,10 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
             inline(&source.title),
             inline(&other.says),
         );
-        let binds = match other.outweighed {
-            true => "The claim is newer or more specific, and binds it all the same.",
-            false => "So the claim does not bind it.",
+        let binds = match (&other.until, other.outweighed) {
+            (Some(until), _) => format!("The claim ended with version {until}."),
+            (None, true) => "The claim is newer or more specific, and binds it all the same.".to_owned(),
+            (None, false) => "So the claim does not bind it.".to_owned(),
         };
         let _ = write!(
             text,

@@ -10,7 +10,7 @@ use semver::Version;
 use std::collections::HashMap;
 use stickler_engines::Identity;
 use stickler_suite::Suite;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, version_numbers};
 
 /// The baseline of one engine, matched with the cases of a suite.
 #[derive(Debug)]
@@ -123,9 +123,12 @@ pub(super) enum EntryState {
 impl EntryState {
     pub(super) fn of(entry: &Entry, version: &str, today: Date) -> EntryState {
         if let Some(range) = &entry.versions {
-            match numbers(version) {
+            match version_numbers(version) {
                 None => return EntryState::UnknownVersion(version.to_owned()),
-                Some(version) if !range.matches(&version) => return EntryState::OtherVersions,
+                // A suffix is ignored, since version ranges do not depend on it.
+                Some([major, minor, patch]) if !range.matches(&Version::new(major, minor, patch)) => {
+                    return EntryState::OtherVersions;
+                }
                 Some(_) => {}
             }
         }
@@ -152,20 +155,4 @@ impl EntryState {
             EntryState::Holds | EntryState::OtherVersions => None,
         }
     }
-}
-
-/// Parses the version number in an engine's version text: up to three numbers, the first of which begins a word. A suffix
-/// (`-beta`, `+build`) is ignored, since version ranges do not depend on it.
-fn numbers(version: &str) -> Option<Version> {
-    let word = version
-        .split(|character: char| character.is_whitespace() || character == ',')
-        .map(|word| word.trim_start_matches(['v', 'V']))
-        .find(|word| word.starts_with(|character: char| character.is_ascii_digit()))?;
-    let digits = word.split(|character: char| !character.is_ascii_digit() && character != '.');
-    let mut numbers = digits.into_iter().next()?.split('.');
-    let mut next = || match numbers.next() {
-        None | Some("") => Some(0),
-        Some(number) => number.parse().ok(),
-    };
-    Some(Version::new(next()?, next()?, next()?))
 }

@@ -226,7 +226,7 @@ fn baseline(example: &Example, engine: &str) -> Result<Baseline, String> {
 
 #[test]
 fn golden_bindings() {
-    let sources = sources();
+    let [sources, versioned] = ["../../conformance-cases", "tests/versions"].map(sources);
     check_examples("tests/examples/binding.md", |example| {
         let name = example.text("engine");
         let plan = Plan {
@@ -247,6 +247,7 @@ fn golden_bindings() {
         let puppet = Puppet::answering(name, answers(example));
         let engine = Identity {
             lacks: codes,
+            version: example.get("version").unwrap_or("1").to_owned(),
             ..puppet.identity().clone()
         };
         let case = Case {
@@ -258,7 +259,10 @@ fn golden_bindings() {
             ..expecting(example.get("expects").unwrap_or("q = INT#1"))
         };
         let mut suite = suite(vec![case.clone()]);
-        suite.sources = sources.clone();
+        suite.sources = match example.get("version") {
+            Some(_) => versioned.clone(),
+            None => sources.clone(),
+        };
         let matched = plan.matched_baseline(&suite, &engine);
         let judge = CaseJudge {
             plan: &plan,

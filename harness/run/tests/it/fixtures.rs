@@ -74,8 +74,8 @@ pub fn number(source: &str) -> usize {
 }
 
 /// Returns the sources of Stickler's own suite.
-pub fn sources() -> Sources {
-    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+pub fn sources(folder: &str) -> Sources {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     Suite::load_files(&cases, Wanted::default(), |_, _| false).sources
 }
 

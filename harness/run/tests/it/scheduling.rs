@@ -1,6 +1,8 @@
 //! Tests of whole runs over engines that only pretend.
 
-use crate::fixtures::{Puppet, case, footer, ids, number, numbered, suite, timeless_events, with_jobs};
+use crate::fixtures::{
+    Puppet, case, footer, ids, number, numbered, sources, suite, timeless_events, with_jobs,
+};
 use crate::words::outcome;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
@@ -113,6 +115,28 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
         (Verdict::Crash, "crashed: panicked: broken string")
     );
     assert_eq!(opened.load(Ordering::Relaxed), 3);
+}
+
+#[test]
+fn no_engine_is_asked_a_claim_that_begins_after_its_version() {
+    let cases = ["page: Sums", "later-page: Sums"].map(|basis| Case {
+        basis: basis.into(),
+        dialect: DialectName::IRONPLC_ED3,
+        ..case(basis)
+    });
+    let mut suite = suite(cases.to_vec());
+    suite.sources = sources("tests/versions");
+    let asked = |name, version: &str| {
+        let mut engine = Puppet::new(name, |_| outcome("executed"));
+        engine.identity.version = version.to_owned();
+        ids(&go(&with_jobs(1), &suite, &[&engine]).1).len()
+    };
+    assert_eq!(asked("ironplc", "0.239.0"), 1);
+    assert_eq!(asked("ironplc", "0.244.0"), 2);
+    // Whose version is unknown and whose is none of the system's is asked both.
+    assert_eq!(asked("ironplc", "main"), 2);
+    assert_eq!(asked("strucpp", "0.1"), 2);
+    assert_eq!(asked("reference", "0.1.0"), 2);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::{Contradiction, PrintedResult, Question, Relation, Value};
+use stickler_types::{Contradiction, PrintedResult, Question, Relation, Value, Versions};
 use toml::Spanned;
 
 use super::examples::OmittedEntry;
@@ -28,6 +28,8 @@ struct SourceEntry {
     kind: Spanned<String>,
     address: Option<Spanned<String>>,
     read: String,
+    since: Option<Spanned<String>>,
+    until: Option<Spanned<String>>,
     engines: Option<Vec<String>>,
     dialects: Option<Vec<Spanned<String>>>,
     sections: Option<Strings>,
@@ -74,6 +76,7 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
         lines,
         mistakes: Vec::new(),
         remarks: Vec::new(),
+        dated: Vec::new(),
     };
     let mut sources = Vec::new();
     match entries {
@@ -84,6 +87,7 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
         ),
         Err(mistake) => reader.mistakes.push(mistake),
     }
+    reader.check_ends(&sources);
     let mut errors = in_file(reader.mistakes, &shown);
     let remarks = in_file(reader.remarks, &shown);
     let (rules, mistakes) = rules(root);
@@ -116,6 +120,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         address: format!("{}#{{section}}", root.shown(RULES)),
         read: String::new(),
         engines: Vec::new(),
+        versions: Versions::default(),
         dialects: Vec::new(),
         sections: Sections {
             headings,
@@ -170,6 +175,8 @@ pub(super) struct SourcesReader<'a> {
     pub(super) lines: Lines,
     mistakes: Vec<Mistake>,
     remarks: Vec<Mistake>,
+    /// The contradictions that end claims with a version.
+    dated: Vec<Spanned<Contradiction>>,
 }
 
 impl SourcesReader<'_> {
@@ -226,6 +233,16 @@ impl SourcesReader<'_> {
                 let message = format!("a contradiction of no section `{section}`; {expected}");
                 self.wrong(contradiction.span().start, name, message);
             }
+            if contradiction.get_ref().until.is_some() {
+                self.dated.push(contradiction.clone());
+            }
+        }
+        let ends = [&entry.since, &entry.until];
+        let written = ends.into_iter().flatten().map(|end| end.span().start).last();
+        let [since, until] = [entry.since, entry.until].map(|end| end.map(Spanned::into_inner));
+        let versions = Versions { since, until };
+        if let Some((written, message)) = written.zip(versions.mistake()) {
+            self.wrong(written, name, message);
         }
         let contradicts = entry.contradicts.into_iter().map(Spanned::into_inner);
         let mut source = Source {
@@ -237,6 +254,7 @@ impl SourcesReader<'_> {
             address,
             read: entry.read,
             engines: entry.engines.unwrap_or_default(),
+            versions,
             dialects,
             sections,
             recorded: BTreeMap::new(),
@@ -361,6 +379,26 @@ impl SourcesReader<'_> {
             }
         }
         sections
+    }
+
+    /// Checks that no contradiction ends a claim before it begins.
+    fn check_ends(&mut self, sources: &[Source]) {
+        for contradiction in std::mem::take(&mut self.dated) {
+            let (at, contradiction) = (contradiction.span().start, contradiction.into_inner());
+            for claim in &contradiction.claims {
+                let cited = sources
+                    .iter()
+                    .find(|source| claim.split(':').next() == Some(&source.key));
+                let versions = cited.map_or_else(Versions::default, |source| source.versions.clone());
+                let ended = Versions {
+                    until: contradiction.until.clone(),
+                    ..versions
+                };
+                if let Some(message) = ended.mistake() {
+                    self.wrong(at, claim, message);
+                }
+            }
+        }
     }
 
     pub(super) fn wrong(&mut self, at: usize, key: &str, message: String) {

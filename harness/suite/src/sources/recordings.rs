@@ -50,6 +50,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         address: root.shown(&format!("{RECORDINGS}/{{section}}.toml")),
         read: "as each file says".to_owned(),
         engines: Vec::new(),
+        versions: stickler_types::Versions::default(),
         dialects,
         sections: Sections {
             headings: usable.map(|(name, _)| (name.clone(), 1)).collect(),

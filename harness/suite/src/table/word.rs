@@ -29,7 +29,9 @@ pub(super) fn words(
             ElementaryType::from_name(row)?,
             ElementaryType::from_name(&column.name)?,
         );
-        let stated = dialect.definition()?.implicit(pair.0, pair.1)?;
+        // The tables that name a variant say what its documents do.
+        let own = dialect.definition().filter(|_| !dialect.is_variant())?;
+        let stated = own.implicit(pair.0, pair.1)?;
         let basis = stated.basis.as_deref()?;
         Some(CellWord {
             word: stated.value,

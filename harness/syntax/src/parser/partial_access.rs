@@ -13,10 +13,8 @@ enum AccessForm {
     Short,
     /// `.%Xn`.
     Bit,
-    /// `.%Bn`, `.%Wn` or `.%Dn`: a part of this type.
+    /// `.%Bn`, `.%Wn`, `.%Dn` or `.%Ln`: a part of this type.
     Wider(ElementaryType),
-    /// `.%Ln`.
-    LongWord,
 }
 
 impl Parser<'_, '_> {
@@ -35,9 +33,7 @@ impl Parser<'_, '_> {
             }
             None => match form {
                 AccessForm::Wider(part) => ExpressionKind::Part { base, part, index },
-                AccessForm::Short | AccessForm::Bit | AccessForm::LongWord => {
-                    ExpressionKind::Bit { base, index }
-                }
+                AccessForm::Short | AccessForm::Bit => ExpressionKind::Bit { base, index },
             },
         };
         let span = self.span_of(base).to(suffix);
@@ -53,9 +49,12 @@ impl Parser<'_, '_> {
                 Code::SyntaxError,
                 format!("the dialect {dialect} has no bit access: expected a field's name"),
             )),
-            (AccessForm::Bit, PartialAccess::BitsOnly)
-            | (AccessForm::Bit | AccessForm::Wider(_), PartialAccess::UpToDoubleWords) => None,
-            (_, PartialAccess::UpToDoubleWords) => Some((
+            (AccessForm::Bit, enabled) if enabled.is_enabled() => None,
+            (AccessForm::Wider(_), PartialAccess::UpToLongWords) => None,
+            (AccessForm::Wider(part), PartialAccess::UpToDoubleWords) if part != ElementaryType::Lword => {
+                None
+            }
+            (_, PartialAccess::UpToDoubleWords | PartialAccess::UpToLongWords) => Some((
                 Code::UnexpectedToken,
                 format!("the dialect {dialect} has partial access up to double words (`.%D`) only"),
             )),
@@ -84,7 +83,7 @@ fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
         Some(b'B') => AccessForm::Wider(ElementaryType::Byte),
         Some(b'W') => AccessForm::Wider(ElementaryType::Word),
         Some(b'D') => AccessForm::Wider(ElementaryType::Dword),
-        Some(b'L') => AccessForm::LongWord,
+        Some(b'L') => AccessForm::Wider(ElementaryType::Lword),
         _ => AccessForm::Bit,
     };
     let digits = text.bytes().filter(u8::is_ascii_digit);

@@ -47,7 +47,8 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(match part {
                     ElementaryType::Byte => ".%B",
                     ElementaryType::Word => ".%W",
-                    _ => ".%D",
+                    ElementaryType::Dword => ".%D",
+                    _ => ".%L",
                 });
                 self.put(&index.to_string());
             }

@@ -31,6 +31,10 @@ struct SourceLine<'a> {
     /// The address of the source, at the section that most cases cite.
     address: String,
     read: Cow<'a, str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    since: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    until: Option<&'a str>,
     engines: &'a [String],
     dialects: Vec<&'static str>,
     #[serde(flatten)]
@@ -73,6 +77,8 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
         kind: source.kind.as_str(),
         address: source.address_of(section),
         read: source.read_of(section),
+        since: source.versions.since.as_deref(),
+        until: source.versions.until.as_deref(),
         engines: &source.engines,
         dialects: source
             .dialects_of(section)
@@ -117,15 +123,22 @@ fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) 
         )?;
         writeln!(
             out,
-            "{:>8}  {}, read {}{}",
+            "{:>8}  {}, read {}{}{}",
             line.count.asserted,
             Relation::with_kind(line.relation, line.kind),
             line.read,
+            limits(line),
             speaks_for(line)
         )?;
         writeln!(out, "          {DIM}{}{DIM:#}", line.address)?;
     }
     writeln!(out)
+}
+
+/// Returns the words that say with which versions the claims of a source begin and end.
+fn limits(line: &SourceLine<'_>) -> String {
+    let end = |word, end: Option<&str>| end.map_or_else(String::new, |end| format!(", {word} {end}"));
+    end("since", line.since) + &end("until", line.until)
 }
 
 /// Returns the words that say for whom a source speaks; none for a standard, which speaks for all.
