@@ -19,7 +19,7 @@ use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST, which is another type |
 /// | `TO_<DST>` | any type that has a meaning in DST, DST among them | DST |
-/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC` | REAL, LREAL | DINT; LINT of an LREAL in `omron` |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
 /// | `BCD_TO_INT` | BYTE, WORD | INT, DINT |
@@ -83,7 +83,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 8] = [const { OnceLock::new() }; 8];
+static CATALOGUES: [OnceLock<Catalogue>; 16] = [const { OnceLock::new() }; 16];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -94,6 +94,8 @@ struct Features {
     roundings: bool,
     /// Bit 2: LDATE, LTOD and LDT among those types.
     long_dates: bool,
+    /// Bit 3: TRUNC gives a LINT of an LREAL.
+    long_truncation: bool,
 }
 
 impl Features {
@@ -102,11 +104,13 @@ impl Features {
             third_edition: has_type(ElementaryType::Ltime, dialect),
             roundings: Dialect::of(dialect).rounding_functions,
             long_dates: has_type(ElementaryType::Ldate, dialect),
+            long_truncation: Dialect::of(dialect).long_truncation,
         }
     }
 
     fn index(self) -> usize {
-        usize::from(self.third_edition) | usize::from(self.roundings) << 1 | usize::from(self.long_dates) << 2
+        let bits = [self.third_edition, self.roundings, self.long_dates, self.long_truncation];
+        bits.iter().rev().fold(0, |index, &bit| index << 1 | usize::from(bit))
     }
 }
 
@@ -127,7 +131,7 @@ impl Catalogue {
             .filter(|ty| features.long_dates || !is_long_date(*ty))
             .collect();
         catalogue.add_pairs(&types);
-        catalogue.add_truncations();
+        catalogue.add_truncations(features.long_truncation);
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
         if features.roundings {
@@ -171,15 +175,14 @@ impl Catalogue {
     }
 
     /// Adds `TRUNC`, `TRUNC_<INTEGER>` and `<REAL>_TRUNC_<INTEGER>`.
-    fn add_truncations(&mut self) {
+    fn add_truncations(&mut self, is_long: bool) {
         let integers = || ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer());
         for from in REALS {
-            self.add(
-                "TRUNC".to_owned(),
-                from,
-                ElementaryType::Dint,
-                Operation::Truncate,
-            );
+            let whole = match from {
+                ElementaryType::Lreal if is_long => ElementaryType::Lint,
+                _ => ElementaryType::Dint,
+            };
+            self.add("TRUNC".to_owned(), from, whole, Operation::Truncate);
             for to in integers() {
                 self.add(format!("TRUNC_{to}"), from, to, Operation::Truncate);
                 self.add(format!("{from}_TRUNC_{to}"), from, to, Operation::Truncate);

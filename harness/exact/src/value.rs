@@ -4,7 +4,7 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{
-    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange,
+    BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange,
     Rounding, Value,
 };
 
@@ -93,6 +93,11 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
         (BitString, Boolean) if choices.bit_string_as_bool == BitStringAsBool::LowestBit => raw & 1,
         (_, Boolean) => u64::from(number() != 0),
         (BitString, Real) | (Real, BitString) if is_copy => raw,
+        (Signed, BitString) | (BitString, Signed)
+            if choices.bits_as_integer == BitsAsInteger::Copy && from.bits() < to.bits() =>
+        {
+            integer::wrapped(integer::of_bits(number(), from.bits(), to), to)
+        }
         (Boolean | Signed | Unsigned | BitString | Character, Signed | Unsigned | BitString | Character) => {
             integer::wrapped(number(), to)
         }
@@ -118,6 +123,9 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
             if counts && from != to =>
         {
             moment::between_counts(raw, from, to)
+        }
+        (Duration, Duration) if units == MomentUnits::ShortTime && from != to => {
+            moment::from_units(moment::units(raw, from, units), to, units)
         }
         (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
             moment::between(raw, to)

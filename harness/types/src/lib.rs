@@ -53,7 +53,7 @@ mod wrap;
 mod written_value;
 
 pub use choices::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MatrixWord, MomentText, MomentUnits,
+    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, MatrixWord, MomentText, MomentUnits,
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};

@@ -6,7 +6,7 @@ use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, Family, MomentUnits,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family, MomentUnits,
     OutOfRange, RealText, Rounding, TextReading, wrap_within,
 };
 
@@ -160,6 +160,10 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }
+        TextReading::WholeLiteral => "the whole text, white space around it aside, must be a literal; otherwise 0",
+        TextReading::WithoutUnderscores => {
+            "the whole text, underscores and blanks at its beginning aside, must be a number; otherwise 0"
+        }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }
     .to_owned()
@@ -217,7 +221,7 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
         }
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
         Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.moment_units, family) {
-            (MomentUnits::Seconds | MomentUnits::Counts, _) => "the number counts seconds since 1970-01-01",
+            (MomentUnits::Seconds | MomentUnits::Counts | MomentUnits::ShortTime, _) => "the number counts seconds since 1970-01-01",
             (MomentUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
             (MomentUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
         },
@@ -227,7 +231,10 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
 }
 
 fn outside_of_moments(choices: &ConversionChoices, signature: &Signature) -> String {
-    if choices.moment_units == MomentUnits::Counts {
+    let is_short = choices.moment_units == MomentUnits::ShortTime
+        && signature.result == ElementaryType::Time
+        && !signature.operands[0].is_real();
+    if choices.moment_units == MomentUnits::Counts || is_short {
         let bits = if signature.result.is_third_edition() {
             64
         } else {

@@ -75,6 +75,9 @@ impl UnaryCall<'_> {
             "conversions.bits-as-real" => {
                 is_pair && (from.is_bit_string() && to.is_real() || from.is_real() && to.is_bit_string())
             }
+            "conversions.bits-as-integer" => {
+                is_pair && (from.is_signed() && to.is_bit_string() || from.is_bit_string() && to.is_signed())
+            }
             "conversions.bit-string-as-bool" => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
             "conversions.moment-units" => is_pair && (is_moment(from) || is_moment(to)),
             _ => false,
@@ -84,10 +87,16 @@ impl UnaryCall<'_> {
     /// Returns whether the documents of the base make this choice.
     fn documents(self, key: &str) -> bool {
         match key {
-            "conversions.rounding" => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
-            "conversions.out-of-range" | TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
-            "conversions.bits-as-real" => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),
-            "conversions.bit-string-as-bool" => self.rules == Rules::Rusty,
+            "conversions.rounding" => {
+                matches!(self.rules, Rules::Ironplc | Rules::Matiec | Rules::Plcnext | Rules::Omron)
+            }
+            "conversions.out-of-range" => matches!(self.rules, Rules::Matiec | Rules::Plcnext),
+            TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
+            "conversions.bits-as-real" => {
+                matches!(self.rules, Rules::Rusty | Rules::ThirdEdition | Rules::Plcnext)
+            }
+            "conversions.bit-string-as-bool" => matches!(self.rules, Rules::Rusty | Rules::Plcnext),
+            "conversions.bits-as-integer" | "conversions.moment-units" => self.rules == Rules::Plcnext,
             _ => false,
         }
     }

@@ -28,7 +28,9 @@ impl<'p> ModelEvaluator<'p> {
         for argument in arguments {
             cells.push(self.expression(unit, argument)?);
         }
+        let keeps = self.program.dialect.rules().keeps_not_finite && self.is_any_not_finite(&cells, arguments);
         match (function, &cells[..], arguments) {
+            (Abs, [value], _) | (Limit, [_, value, _], _) if keeps => Ok(value.clone()),
             (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
             (Sel, [MemoryCell::Plain(gate), first, second], _) => {
                 Ok(if *gate == 0 { first } else { second }.clone())
@@ -58,6 +60,19 @@ impl<'p> ModelEvaluator<'p> {
             }
             _ => Err(ARGUMENTS),
         }
+    }
+
+    /// Returns whether a real among the values is an infinity or not a number.
+    fn is_any_not_finite(&self, cells: &[MemoryCell], arguments: &'p [Expression]) -> bool {
+        cells.iter().zip(arguments).any(|(cell, argument)| match (cell, self.resolved(&argument.ty)) {
+            (MemoryCell::Plain(raw), Type::Elementary(ElementaryType::Real)) => {
+                !f32::from_bits(*raw as u32).is_finite()
+            }
+            (MemoryCell::Plain(raw), Type::Elementary(ElementaryType::Lreal)) => {
+                !f64::from_bits(*raw).is_finite()
+            }
+            _ => false,
+        })
     }
 
     fn absolute(

@@ -45,7 +45,7 @@ pub enum ResultType {
         /// The type where there is no target, or where the target is of another type.
         default: ElementaryType,
     },
-    /// DINT for REAL, LINT for LREAL (ROUND and its kin).
+    /// DINT for REAL, LINT for LREAL (ROUND and its kin, in some dialects TRUNC).
     OfArgument,
 }
 
@@ -161,7 +161,7 @@ impl ConversionFunction {
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST |
 /// | `TO_<DST>` | any type that converts | DST |
-/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC` | REAL, LREAL | DINT; in some dialects LINT of an LREAL |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
 /// | `BCD_TO_INT` | BYTE, WORD | INT or DINT, by the target |
@@ -235,7 +235,11 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
 fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     let any_real = any_of(REALS, ElementaryType::Real);
     if name == "TRUNC" {
-        return truncation(any_real, ElementaryType::Dint, dialect);
+        let found = truncation(any_real, ElementaryType::Dint, dialect);
+        return found.map(|found| match dialect.long_truncation {
+            true => ConversionFunction { result: ResultType::OfArgument, ..found },
+            false => found,
+        });
     }
     if let Some(to) = name.strip_prefix("TRUNC_") {
         return truncation(any_real, elementary(to, dialect)?, dialect);

@@ -19,17 +19,30 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     if reading == TextReading::LeadingDigits && to.integer_range().is_some() | to.is_real() {
         return read_digits(ascii.trim_start_matches([' ', '\t']), to);
     }
-    let text = ascii.trim_matches(' ');
+    let bare: Cow<'_, str> = match reading {
+        TextReading::WithoutUnderscores => ascii.replace('_', "").into(),
+        _ => ascii.as_str().into(),
+    };
+    let text = match reading {
+        TextReading::WholeLiteral => bare.trim_matches(['\t', '\n', '\x0B', '\x0C', '\r', ' ']),
+        _ => bare.trim_matches(' '),
+    };
     let number = |beginning: fn(&str) -> &str| match reading {
-        TextReading::WholeText if whole => text,
-        TextReading::WholeText => "",
         TextReading::LeadingNumber | TextReading::LeadingDigits => beginning(text),
+        _ if whole => text,
+        _ => "",
     };
     match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
+        Family::Real if reading == TextReading::WithoutUnderscores => {
+            let text = number(leading_real);
+            let (sign, digits) = text.split_at(sign_length(text));
+            read_real(&[sign, digits.trim_start_matches(' ')].concat(), to)
+        }
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),
+        Family::Duration if reading == TextReading::WholeLiteral && !text.contains('#') => 0,
         _ => read_moment(text, to),
     }
 }

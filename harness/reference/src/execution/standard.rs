@@ -6,6 +6,7 @@
 use super::arithmetic::absolute;
 use super::comparison::{compare, extreme};
 use super::stop::Halt;
+use crate::conversion::real;
 use crate::instruction::{FaultKind, StandardFunction};
 use crate::raw::narrow;
 use std::borrow::Cow;
@@ -15,9 +16,9 @@ use stickler_types::ElementaryType;
 /// Counts the plain operands that a function takes from the stack, its selector included.
 pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
     match function {
-        StandardFunction::Abs => 1,
+        StandardFunction::Abs | StandardFunction::FiniteAbs => 1,
         StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
-        StandardFunction::Sel | StandardFunction::Limit => 3,
+        StandardFunction::Sel | StandardFunction::Limit | StandardFunction::FiniteLimit => 3,
         StandardFunction::Mux => usize::from(count) + 1,
         StandardFunction::Min | StandardFunction::Max | StandardFunction::InOrder(_) => usize::from(count),
         StandardFunction::Len | StandardFunction::Concat => 0,
@@ -31,7 +32,12 @@ pub(super) fn of_plain(
     operands: &[u64],
 ) -> Result<u64, Halt> {
     match (function, operands) {
-        (StandardFunction::Abs, &[value]) => Ok(absolute(of, value)),
+        (StandardFunction::FiniteAbs, &[value]) | (StandardFunction::FiniteLimit, &[_, value, _])
+            if !operands.iter().all(|&raw| real::decode(raw, of).is_finite()) =>
+        {
+            Ok(value)
+        }
+        (StandardFunction::Abs | StandardFunction::FiniteAbs, &[value]) => Ok(absolute(of, value)),
         (StandardFunction::Sel, &[choice, if_false, if_true]) => {
             Ok(if choice == 0 { if_false } else { if_true })
         }
@@ -49,7 +55,7 @@ pub(super) fn of_plain(
                 .all(|pair| compare(operator, of, pair[0], pair[1]));
             Ok(is_in_order.into())
         }
-        (StandardFunction::Limit, &[minimum, value, maximum]) => {
+        (StandardFunction::Limit | StandardFunction::FiniteLimit, &[minimum, value, maximum]) => {
             let raised = extreme(of, Ordering::Greater, value, minimum);
             Ok(extreme(of, Ordering::Less, raised, maximum))
         }
