@@ -357,7 +357,9 @@ impl<'s> UnaryCall<'s> {
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
-            "TRUNC" if truncated == WholePosition::Inside && self.rules == Rules::Omron => Some(OMRON_ROUNDING),
+            "TRUNC" if truncated == WholePosition::Inside && self.rules == Rules::Omron => {
+                Some(OMRON_ROUNDING)
+            }
             "TRUNC" if truncated == WholePosition::Inside => {
                 documented(self.rules, IRONPLC_TRUNC, MATIEC_TRUNC)
             }

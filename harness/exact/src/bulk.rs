@@ -71,7 +71,8 @@ impl Bulk {
         if from.bits() > 32 || from.is_text() || to.is_text() {
             return None;
         }
-        let copies_bits = (from.is_signed() && to.is_bit_string()) || (from.is_bit_string() && to.is_signed());
+        let copies_bits =
+            (from.is_signed() && to.is_bit_string()) || (from.is_bit_string() && to.is_signed());
         if copies_bits && choices.bits_as_integer == BitsAsInteger::Copy
             || to == ElementaryType::Time && choices.moment_units == MomentUnits::ShortTime
         {

@@ -109,8 +109,15 @@ impl Features {
     }
 
     fn index(self) -> usize {
-        let bits = [self.third_edition, self.roundings, self.long_dates, self.long_truncation];
-        bits.iter().rev().fold(0, |index, &bit| index << 1 | usize::from(bit))
+        let bits = [
+            self.third_edition,
+            self.roundings,
+            self.long_dates,
+            self.long_truncation,
+        ];
+        bits.iter()
+            .rev()
+            .fold(0, |index, &bit| index << 1 | usize::from(bit))
     }
 }
 

@@ -6,8 +6,8 @@
 //! strucpp-tests: tests/st-validation/data_types/test_time_types.st (TIME, TOD and DT in ms, DATE in days); codesys-recording:
 //! fixtures/conversions/explicit-pairs.ts; elsewhere no source says what the others count.
 
-use crate::{integer, quotient};
 use crate::real::{self, Real};
+use crate::{integer, quotient};
 use num_bigint::BigUint;
 use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 

@@ -4,8 +4,8 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{
-    BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange,
-    Rounding, Value,
+    BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
+    OutOfRange, Rounding, Value,
 };
 
 /// Returns the result of a call of a conversion function, computed exactly by the given choices.

@@ -87,8 +87,8 @@ words! {
         LeadingDigits = "leading-digits",
         /// The whole text but blanks, tabs and the ends of lines and pages (the characters 9 to 13) at either end; a duration needs its prefix.
         WholeLiteral = "whole-literal",
-        /// The whole text but underscores, blanks at its beginning and, in a real, blanks behind its sign.
-        WithoutUnderscores = "without-underscores",
+        /// The whole text but underscores, wherever they are, and blanks at either end and behind the sign.
+        LooseDigits = "loose-digits",
     }
 }
 

@@ -6,8 +6,8 @@ use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading, wrap_within,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family,
+    MomentUnits, OutOfRange, RealText, Rounding, TextReading, wrap_within,
 };
 
 const DIM: Style = Style::new().dimmed();
@@ -160,9 +160,11 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }
-        TextReading::WholeLiteral => "the whole text, white space around it aside, must be a literal; otherwise 0",
-        TextReading::WithoutUnderscores => {
-            "the whole text, underscores and blanks at its beginning aside, must be a number; otherwise 0"
+        TextReading::WholeLiteral => {
+            "the whole text, white space around it aside, must be a literal; otherwise 0"
+        }
+        TextReading::LooseDigits => {
+            "the whole text, underscores and blanks aside, must be a number; otherwise 0"
         }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }
@@ -221,7 +223,9 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
         }
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
         Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.moment_units, family) {
-            (MomentUnits::Seconds | MomentUnits::Counts | MomentUnits::ShortTime, _) => "the number counts seconds since 1970-01-01",
+            (MomentUnits::Seconds | MomentUnits::Counts | MomentUnits::ShortTime, _) => {
+                "the number counts seconds since 1970-01-01"
+            }
             (MomentUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
             (MomentUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
         },

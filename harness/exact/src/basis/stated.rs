@@ -87,16 +87,13 @@ impl UnaryCall<'_> {
     /// Returns whether the documents of the base make this choice.
     fn documents(self, key: &str) -> bool {
         match key {
-            "conversions.rounding" => {
-                matches!(self.rules, Rules::Ironplc | Rules::Matiec | Rules::Plcnext | Rules::Omron)
+            _ if self.rules == Rules::Plcnext => {
+                key != TRUNCATION_OUT_OF_RANGE && self.to.family() != Family::Text
             }
-            "conversions.out-of-range" => matches!(self.rules, Rules::Matiec | Rules::Plcnext),
-            TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
-            "conversions.bits-as-real" => {
-                matches!(self.rules, Rules::Rusty | Rules::ThirdEdition | Rules::Plcnext)
-            }
-            "conversions.bit-string-as-bool" => matches!(self.rules, Rules::Rusty | Rules::Plcnext),
-            "conversions.bits-as-integer" | "conversions.moment-units" => self.rules == Rules::Plcnext,
+            "conversions.rounding" => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
+            "conversions.out-of-range" | TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
+            "conversions.bits-as-real" => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),
+            "conversions.bit-string-as-bool" => self.rules == Rules::Rusty,
             _ => false,
         }
     }

@@ -5,29 +5,26 @@ use crate::integer;
 use crate::real::{self, Real, Whole};
 use stickler_types::{ElementaryType, Family, Rounding};
 
-// Omron's pages: integers to reals, bit strings to reals, reals to integers, reals to bit strings, and texts to integers and to reals.
-const OMRON_TO_REAL: &str = "omron-instructions: 286";
-const OMRON_BITS: &str = "omron-instructions: 293";
-pub(super) const OMRON_ROUNDING: &str = "omron-instructions: 296";
-const OMRON_TO_BITS: &str = "omron-instructions: 298";
-const OMRON_INTEGER_TEXTS: &str = "omron-instructions: 319";
-const OMRON_REAL_TEXTS: &str = "omron-instructions: 323";
+/// The pages of PLCnext Engineer's help that were read, each on the functions that give one type.
+const PLCNEXT_PAGES: [&str; 10] = [
+    "plcnext-conversions: TO_BOOL",
+    "plcnext-conversions: TO_SINT",
+    "plcnext-conversions: TO_DINT",
+    "plcnext-conversions: TO_USINT",
+    "plcnext-conversions: TO_UINT",
+    "plcnext-conversions: TO_REAL",
+    "plcnext-conversions: TO_LREAL",
+    "plcnext-conversions: TO_DWORD",
+    "plcnext-conversions: TO_LWORD",
+    "plcnext-conversions: TO_TIME",
+];
 
-/// Returns the page of PLCnext Engineer's help on the functions that give a type; `None` of those that were not read.
+/// The page of Omron's manual on real numbers that become integers.
+pub(super) const OMRON_ROUNDING: &str = "omron-instructions: 296";
+
 fn plcnext_page(to: ElementaryType) -> Option<&'static str> {
-    Some(match to {
-        ElementaryType::Bool => "plcnext-conversions: TO_BOOL",
-        ElementaryType::Sint => "plcnext-conversions: TO_SINT",
-        ElementaryType::Dint => "plcnext-conversions: TO_DINT",
-        ElementaryType::Usint => "plcnext-conversions: TO_USINT",
-        ElementaryType::Uint => "plcnext-conversions: TO_UINT",
-        ElementaryType::Real => "plcnext-conversions: TO_REAL",
-        ElementaryType::Lreal => "plcnext-conversions: TO_LREAL",
-        ElementaryType::Dword => "plcnext-conversions: TO_DWORD",
-        ElementaryType::Lword => "plcnext-conversions: TO_LWORD",
-        ElementaryType::Time => "plcnext-conversions: TO_TIME",
-        _ => return None,
-    })
+    let function = format!(" TO_{to}");
+    PLCNEXT_PAGES.into_iter().find(|page| page.ends_with(&function))
 }
 
 impl UnaryCall<'_> {
@@ -39,7 +36,12 @@ impl UnaryCall<'_> {
         let operand = real::decode(raw, self.from);
         let is_stated = match (self.from.family(), self.to.family()) {
             (Signed | Unsigned, RealNumber) => return Some(ROUNDED),
-            (RealNumber, RealNumber) if self.is_normal_as_real(raw) => return Some(self.of_real_to_real(raw)),
+            // Within 2^-126 and 2^127.
+            (RealNumber, RealNumber) => {
+                let is_near = self.to == ElementaryType::Lreal
+                    || !matches!(operand, Real::Finite { significand: 1.., exponent, .. } if !(-178..=74).contains(&exponent));
+                return is_near.then(|| self.of_real_to_real(raw));
+            }
             (Boolean | BitString | Signed | Unsigned, Signed | Unsigned | BitString)
             | (BitString | Signed | Unsigned | RealNumber, Boolean)
             | (Boolean, RealNumber) => true,
@@ -52,16 +54,6 @@ impl UnaryCall<'_> {
         plcnext_page(self.to).filter(|_| is_stated && self.from != self.to)
     }
 
-    /// Returns whether REAL has a number next to an LREAL, neither too large nor with fewer digits than others; true of NaN and the infinities.
-    fn is_normal_as_real(self, raw: u64) -> bool {
-        let nearest = match real::decode(raw, self.from) {
-            Real::Finite { significand: 1.., .. } => real::between(raw, self.from, ElementaryType::Real),
-            _ => return true,
-        };
-        self.to == ElementaryType::Lreal
-            || matches!(real::decode(nearest, ElementaryType::Real), Real::Finite { significand, .. } if significand >> 23 == 1)
-    }
-
     /// Returns the basis of reading a STRING as a real in PLCnext Engineer, and as a number in Omron NJ, where a text that is none changes nothing.
     pub(super) fn of_vendor_text(self, units: &[u16]) -> Option<&'static str> {
         let is_plain = texts::is_plain_number(units, self.to);
@@ -69,8 +61,9 @@ impl UnaryCall<'_> {
             Rules::Plcnext if self.to.is_real() => {
                 texts::basis(units, self.to).and_then(|_| plcnext_page(self.to))
             }
-            Rules::Omron if self.to.is_real() => is_plain.then_some(OMRON_REAL_TEXTS),
-            Rules::Omron => is_plain.then_some(OMRON_INTEGER_TEXTS),
+            Rules::Omron if !is_plain => None,
+            Rules::Omron if self.to.is_real() => Some("omron-instructions: 323"),
+            Rules::Omron => Some("omron-instructions: 319"),
             _ => None,
         }
     }
@@ -80,15 +73,15 @@ impl UnaryCall<'_> {
     pub(super) fn of_omron_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Real as RealNumber, Signed, Unsigned};
         match (self.from.family(), self.to.family()) {
-            (Signed | Unsigned, RealNumber) => Some(OMRON_TO_REAL),
-            (BitString, RealNumber) => Some(OMRON_BITS),
-            (RealNumber, Signed | Unsigned) => (self.rounded(raw, Rounding::HalfToEven)
-                == WholePosition::Inside)
-                .then_some(OMRON_ROUNDING),
+            (Signed | Unsigned, RealNumber) => Some("omron-instructions: 286"),
+            (BitString, RealNumber) => Some("omron-instructions: 293"),
+            (RealNumber, Signed | Unsigned) => {
+                (self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside).then_some(OMRON_ROUNDING)
+            }
             (RealNumber, BitString) => match self.whole(raw, Rounding::HalfToEven) {
                 Some(Whole::Number(number)) => {
                     let signed = integer::of_bits(number, self.to.bits(), ElementaryType::Lint);
-                    (signed == number).then_some(OMRON_TO_BITS)
+                    (signed == number).then_some("omron-instructions: 298")
                 }
                 _ => None,
             },

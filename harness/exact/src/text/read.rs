@@ -33,7 +33,11 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
     {
         return value;
     }
-    if choices.text_reading == TextReading::WithoutUnderscores {
+    if choices.text_reading == TextReading::LooseDigits {
+        let first = bytes.iter().position(u8::is_ascii_digit).unwrap_or(0);
+        let mut digits = bytes.split_off(first);
+        bytes.retain(|&byte| byte != b' ');
+        bytes.append(&mut digits);
         bytes.retain(|&byte| byte != b'_');
     }
     let text = trimmed(&bytes, choices.text_reading);
@@ -43,13 +47,10 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         Family::Signed | Family::Unsigned | Family::BitString => number(&mut scanner, choices, |scanner| {
             Integer::read(scanner).map(|integer| residue(integer, to))
         }),
-        Family::Real if choices.text_reading == TextReading::WithoutUnderscores => {
-            let sign = usize::from(matches!(text.first(), Some(b'+' | b'-')));
-            let text = [&text[..sign], trimmed(&text[sign..], choices.text_reading)].concat();
-            whole(&mut LiteralScanner::new(&text), |scanner| real_number(scanner, to))
-        }
         Family::Real => number(&mut scanner, choices, |scanner| real_number(scanner, to)),
-        Family::Duration if choices.text_reading == TextReading::WholeLiteral && !text.contains(&b'#') => None,
+        Family::Duration if choices.text_reading == TextReading::WholeLiteral && !text.contains(&b'#') => {
+            None
+        }
         Family::Duration => whole(behind_prefix(&mut scanner, text, to), duration),
         Family::Date => whole(behind_prefix(&mut scanner, text, to), |scanner| {
             nanoseconds(date(scanner)?, 0)
@@ -88,7 +89,8 @@ fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
 
 /// Returns the text without the blanks at either end, and without all that counts as white space where the choice is a literal.
 fn trimmed(text: &[u8], reading: TextReading) -> &[u8] {
-    let is_kept = |byte: &u8| *byte != b' ' && !(reading == TextReading::WholeLiteral && (9..=13).contains(byte));
+    let is_kept =
+        |byte: &u8| *byte != b' ' && !(reading == TextReading::WholeLiteral && (9..=13).contains(byte));
     let start = text.iter().position(is_kept).unwrap_or(text.len());
     let end = text.iter().rposition(is_kept).map_or(start, |last| last + 1);
     &text[start..end]
@@ -110,9 +112,7 @@ fn number<'t>(
     read: impl Fn(&mut LiteralScanner<'t>) -> Option<u64>,
 ) -> Option<u64> {
     match choices.text_reading {
-        TextReading::WholeText | TextReading::WholeLiteral | TextReading::WithoutUnderscores => {
-            whole(scanner, read)
-        }
+        TextReading::WholeText | TextReading::WholeLiteral | TextReading::LooseDigits => whole(scanner, read),
         TextReading::LeadingNumber | TextReading::LeadingDigits => read(scanner),
     }
 }

@@ -28,9 +28,15 @@ impl<'p> ModelEvaluator<'p> {
         for argument in arguments {
             cells.push(self.expression(unit, argument)?);
         }
-        let keeps = self.program.dialect.rules().keeps_not_finite && self.is_any_not_finite(&cells, arguments);
+        let keeps = self.program.dialect.rules().keeps_not_finite;
+        let is_real =
+            |argument: &Expression| self.elementary(&argument.ty).is_ok_and(ElementaryType::is_real);
+        if keeps && matches!(function, Abs | Limit) && arguments.iter().any(is_real) {
+            self.open(OpenQuestion::NotANumber, unit, || {
+                "ABS or LIMIT of an infinity".to_owned()
+            });
+        }
         match (function, &cells[..], arguments) {
-            (Abs, [value], _) | (Limit, [_, value, _], _) if keeps => Ok(value.clone()),
             (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
             (Sel, [MemoryCell::Plain(gate), first, second], _) => {
                 Ok(if *gate == 0 { first } else { second }.clone())
@@ -60,19 +66,6 @@ impl<'p> ModelEvaluator<'p> {
             }
             _ => Err(ARGUMENTS),
         }
-    }
-
-    /// Returns whether a real among the values is an infinity or not a number.
-    fn is_any_not_finite(&self, cells: &[MemoryCell], arguments: &'p [Expression]) -> bool {
-        cells.iter().zip(arguments).any(|(cell, argument)| match (cell, self.resolved(&argument.ty)) {
-            (MemoryCell::Plain(raw), Type::Elementary(ElementaryType::Real)) => {
-                !f32::from_bits(*raw as u32).is_finite()
-            }
-            (MemoryCell::Plain(raw), Type::Elementary(ElementaryType::Lreal)) => {
-                !f64::from_bits(*raw).is_finite()
-            }
-            _ => false,
-        })
     }
 
     fn absolute(

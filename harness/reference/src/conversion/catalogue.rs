@@ -237,7 +237,10 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     if name == "TRUNC" {
         let found = truncation(any_real, ElementaryType::Dint, dialect);
         return found.map(|found| match dialect.long_truncation {
-            true => ConversionFunction { result: ResultType::OfArgument, ..found },
+            true => ConversionFunction {
+                result: ResultType::OfArgument,
+                ..found
+            },
             false => found,
         });
     }

@@ -16,7 +16,9 @@ const fn unit(ty: ElementaryType, units: MomentUnits) -> i64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
         (Family::Date, MomentUnits::DaysAndMilliseconds) => DAY,
-        (Family::Date | Family::DateAndTime, units) if !matches!(units, MomentUnits::DaysAndMilliseconds) => 1_000_000_000,
+        (Family::Date | Family::DateAndTime, units) if !matches!(units, MomentUnits::DaysAndMilliseconds) => {
+            1_000_000_000
+        }
         _ => 1_000_000,
     }
 }

@@ -20,7 +20,10 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
         return read_digits(ascii.trim_start_matches([' ', '\t']), to);
     }
     let bare: Cow<'_, str> = match reading {
-        TextReading::WithoutUnderscores => ascii.replace('_', "").into(),
+        TextReading::LooseDigits => {
+            let (before, digits) = ascii.split_at(ascii.find(|c: char| c.is_ascii_digit()).unwrap_or(0));
+            (before.replace([' ', '_'], "") + &digits.replace('_', "")).into()
+        }
         _ => ascii.as_str().into(),
     };
     let text = match reading {
@@ -34,11 +37,6 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     };
     match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
-        Family::Real if reading == TextReading::WithoutUnderscores => {
-            let text = number(leading_real);
-            let (sign, digits) = text.split_at(sign_length(text));
-            read_real(&[sign, digits.trim_start_matches(' ')].concat(), to)
-        }
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),

@@ -4,8 +4,8 @@
 use super::{moment, reading, real, text, writing};
 use crate::raw;
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentText,
-    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family,
+    MomentText, MomentUnits, OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// A conversion from one elementary type to another.
