@@ -49,7 +49,8 @@ impl UnaryCall<'_> {
             (BitString, RealNumber) => same_width,
             (RealNumber, BitString) => same_width && operand != Real::NotANumber,
             (Signed | Unsigned | Duration, Duration) => self.to == ElementaryType::Time,
-            _ => return self.of_time(raw),
+            _ if [self.from, self.to].contains(&ElementaryType::Time) => return self.of_time(raw),
+            _ => false,
         };
         plcnext_page(self.to).filter(|_| is_stated && self.from != self.to)
     }
