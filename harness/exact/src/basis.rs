@@ -2,11 +2,12 @@
 //! others.
 //!
 //! A result without a document is open. An overloaded name (`TO_INT`) is open for every operand except in STruC++ and RuSTy,
-//! whose tests have it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
+//! whose tests have it, and in PLCnext Engineer, whose pages have no other: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
 
 mod stated;
 mod tested;
 mod texts;
+mod vendors;
 
 use crate::choices::choices_of;
 use crate::real::{self, Real, Whole};
@@ -16,6 +17,7 @@ use crate::{bcd, integer, moment};
 use stickler_types::documents::DocumentedFunctions as Rules;
 use stickler_types::{DialectName, ElementaryType, Family, MomentUnits, Rounding, Value};
 use tested::{STRUCPP_TEXTS, STRUCPP_TIME, STRUCPP_TO_TIME};
+use vendors::OMRON_ROUNDING;
 
 /// The expected result of a call, and the document that states it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -86,9 +88,6 @@ const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 // The page of Control Expert.
 const CONTROL_EXPERT_ROUNDING: &str = "control-expert-real-to: Example";
 
-// The page of Omron with examples of `REAL_TO_INT`.
-const OMRON_ROUNDING: &str = "omron-instructions: 296";
-
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
@@ -152,7 +151,7 @@ impl<'s> UnaryCall<'s> {
             (Operation::Convert, &Value::Plain { raw, .. }) if name.starts_with("TO_") => {
                 self.of_overloaded(raw)
             }
-            (Operation::Convert, _) if name.starts_with("TO_") => None,
+            (Operation::Convert, _) if name.starts_with("TO_") && self.rules != Rules::Plcnext => None,
             (Operation::Convert, &Value::Plain { raw, .. }) => self.of_conversion(raw),
             (Operation::Convert, Value::Text { ty, units }) => self.of_text(*ty, units),
             (Operation::Truncate, &Value::Plain { raw, .. }) => self.of_truncation(name, raw),
@@ -166,7 +165,8 @@ impl<'s> UnaryCall<'s> {
         match self.rules {
             Rules::Rusty => self.of_rusty_conversion(raw),
             Rules::Strucpp => self.of_strucpp_conversion(raw),
-            Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
+            Rules::Ironplc | Rules::Matiec => self.of_page_conversion(raw),
+            Rules::Plcnext => self.of_plcnext_conversion(raw),
             Rules::ControlExpert => self.of_control_expert_conversion(raw),
             Rules::Omron => self.of_omron_conversion(raw),
             Rules::ThirdEdition => self.of_standard_conversion(raw),
@@ -249,13 +249,6 @@ impl<'s> UnaryCall<'s> {
             .then_some(CONTROL_EXPERT_ROUNDING)
     }
 
-    /// Returns the basis of `REAL_TO_INT` in Omron NJ, where the target holds the nearest integer; else it has "an illegal value".
-    fn of_omron_conversion(self, raw: u64) -> Option<&'static str> {
-        let is_printed = (self.from, self.to) == (ElementaryType::Real, ElementaryType::Int);
-        (is_printed && self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
-            .then_some(OMRON_ROUNDING)
-    }
-
     /// Returns the basis of a conversion among numbers and bit strings in the third edition, which leaves numbers outside the range of the
     /// target to the implementer.
     fn of_standard_conversion(self, raw: u64) -> Option<&'static str> {
@@ -287,7 +280,7 @@ impl<'s> UnaryCall<'s> {
             _ if other == ElementaryType::Bool => None,
             Rules::Ironplc => i32::try_from(milliseconds).is_ok().then_some(IRONPLC_TIME),
             _ if other.is_bit_string() => None,
-            Rules::Plcnext => Some(MILLISECONDS_RULE),
+            Rules::Plcnext => i32::try_from(milliseconds).is_ok().then_some(MILLISECONDS_RULE),
             Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
             Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
@@ -344,6 +337,7 @@ impl<'s> UnaryCall<'s> {
         match self.rules {
             Rules::Matiec if is_listed => texts::basis(units, self.to),
             Rules::Strucpp if is_listed && texts::is_plain_number(units, self.to) => Some(STRUCPP_TEXTS),
+            _ if is_listed => self.of_vendor_text(units),
             _ => None,
         }
     }
@@ -363,6 +357,9 @@ impl<'s> UnaryCall<'s> {
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
+            "TRUNC" if truncated == WholePosition::Inside && self.rules == Rules::Omron => {
+                Some(OMRON_ROUNDING)
+            }
             "TRUNC" if truncated == WholePosition::Inside => {
                 documented(self.rules, IRONPLC_TRUNC, MATIEC_TRUNC)
             }
@@ -379,17 +376,22 @@ impl<'s> UnaryCall<'s> {
 
     /// Returns where the rounded operand lies relative to the range of the result type.
     fn rounded(self, raw: u64, rounding: Rounding) -> WholePosition {
-        let Real::Finite {
-            negative,
-            significand,
-            exponent,
-        } = real::decode(raw, self.from)
-        else {
-            return WholePosition::NoNumber;
-        };
-        match real::to_whole(negative, significand, exponent, rounding) {
-            Whole::Number(number) if integer::holds(self.to, number) => WholePosition::Inside,
-            _ => WholePosition::Outside,
+        match self.whole(raw, rounding) {
+            None => WholePosition::NoNumber,
+            Some(Whole::Number(number)) if integer::holds(self.to, number) => WholePosition::Inside,
+            Some(_) => WholePosition::Outside,
+        }
+    }
+
+    /// Returns the operand, rounded to an integer; `None` for a NaN and the infinities.
+    fn whole(self, raw: u64, rounding: Rounding) -> Option<Whole> {
+        match real::decode(raw, self.from) {
+            Real::Finite {
+                negative,
+                significand,
+                exponent,
+            } => Some(real::to_whole(negative, significand, exponent, rounding)),
+            _ => None,
         }
     }
 }

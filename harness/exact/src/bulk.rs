@@ -16,7 +16,8 @@ mod tests;
 use crate::{Operation, Signature};
 use real::RealResult;
 use stickler_types::{
-    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange, Rounding,
+    BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
+    OutOfRange, Rounding,
 };
 
 /// One conversion, applied to many raw forms at a time.
@@ -60,7 +61,8 @@ enum BulkRule {
 
 impl Bulk {
     /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
-    /// the operand nor the result is a text. A REAL number of days or counts has none, nor have days since 1990 and a rounding to a real.
+    /// the operand nor the result is a text. A REAL number of days or counts has none, nor have days since 1990, a rounding to a real, a TIME of 32
+    /// bits and copied bits of an integer.
     #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
@@ -69,6 +71,13 @@ impl Bulk {
         let to = signature.result;
         let since_1990 = choices.moment_units == MomentUnits::DaysSince1990 && to.family() == Family::Date;
         if from.bits() > 32 || from.is_text() || to.is_text() || since_1990 {
+            return None;
+        }
+        let copies_bits =
+            (from.is_signed() && to.is_bit_string()) || (from.is_bit_string() && to.is_signed());
+        if copies_bits && choices.bits_as_integer == BitsAsInteger::Copy
+            || to == ElementaryType::Time && choices.moment_units == MomentUnits::ShortTime
+        {
             return None;
         }
         let rule = match signature.operation {

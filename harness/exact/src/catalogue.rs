@@ -19,7 +19,7 @@ use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST, which is another type |
 /// | `TO_<DST>` | any type that has a meaning in DST, DST among them | DST |
-/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC` | REAL, LREAL | DINT; LINT of an LREAL in `omron` |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
 /// | `BCD_TO_INT` | BYTE, WORD | INT, DINT |
@@ -84,7 +84,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 16] = [const { OnceLock::new() }; 16];
+static CATALOGUES: [OnceLock<Catalogue>; 32] = [const { OnceLock::new() }; 32];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -97,6 +97,8 @@ struct Features {
     long_dates: bool,
     /// Bit 3: the roundings give a DINT, or the type behind their name.
     to_dint: bool,
+    /// Bit 4: TRUNC gives a LINT of an LREAL.
+    long_truncation: bool,
 }
 
 impl Features {
@@ -106,11 +108,18 @@ impl Features {
             roundings: Dialect::of(dialect).rounding_functions,
             long_dates: has_type(ElementaryType::Ldate, dialect),
             to_dint: Dialect::of(dialect).rounds_to_dint,
+            long_truncation: Dialect::of(dialect).long_truncation,
         }
     }
 
     fn index(self) -> usize {
-        let bits = [self.third_edition, self.roundings, self.long_dates, self.to_dint];
+        let bits = [
+            self.third_edition,
+            self.roundings,
+            self.long_dates,
+            self.to_dint,
+            self.long_truncation,
+        ];
         bits.iter().rfold(0, |index, bit| index << 1 | usize::from(*bit))
     }
 }
@@ -132,7 +141,7 @@ impl Catalogue {
             .filter(|ty| features.long_dates || !is_long_date(*ty))
             .collect();
         catalogue.add_pairs(&types);
-        catalogue.add_truncations();
+        catalogue.add_truncations(features.long_truncation);
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
         if features.roundings {
@@ -176,15 +185,14 @@ impl Catalogue {
     }
 
     /// Adds `TRUNC`, `TRUNC_<INTEGER>` and `<REAL>_TRUNC_<INTEGER>`.
-    fn add_truncations(&mut self) {
+    fn add_truncations(&mut self, is_long: bool) {
         let integers = || ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer());
         for from in REALS {
-            self.add(
-                "TRUNC".to_owned(),
-                from,
-                ElementaryType::Dint,
-                Operation::Truncate,
-            );
+            let whole = match from {
+                ElementaryType::Lreal if is_long => ElementaryType::Lint,
+                _ => ElementaryType::Dint,
+            };
+            self.add("TRUNC".to_owned(), from, whole, Operation::Truncate);
             for to in integers() {
                 self.add(format!("TRUNC_{to}"), from, to, Operation::Truncate);
                 self.add(format!("{from}_TRUNC_{to}"), from, to, Operation::Truncate);

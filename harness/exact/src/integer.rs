@@ -12,16 +12,16 @@ pub(crate) const fn number(raw: u64, ty: ElementaryType) -> i128 {
 ///
 /// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: Range and precision ("wraps").
 pub(crate) fn wrapped(number: i128, to: ElementaryType) -> u64 {
-    let modulus = 1_i128 << to.bits();
+    raw(of_bits(number, to.bits(), to))
+}
+
+/// Returns the number that the lowest bits of another number are in a type, as if it had no more bits than these.
+pub(crate) fn of_bits(number: i128, bits: u32, to: ElementaryType) -> i128 {
+    let modulus = 1_i128 << bits;
     let rest = number.rem_euclid(modulus);
     // The upper half of the residues stands for the negative numbers.
-    let signed = matches!(to.family(), Family::Signed);
-    let value = if signed && rest >= modulus / 2 {
-        rest - modulus
-    } else {
-        rest
-    };
-    raw(value)
+    let is_negative = to.family() == Family::Signed && rest >= modulus / 2;
+    rest - if is_negative { modulus } else { 0 }
 }
 
 /// Returns the 64-bit two's complement of a number that fits 64 bits with or without a sign.

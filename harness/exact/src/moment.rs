@@ -6,8 +6,8 @@
 //! strucpp-tests: tests/st-validation/data_types/test_time_types.st (TIME, TOD and DT in ms, DATE in days); codesys-recording:
 //! fixtures/conversions/explicit-pairs.ts; elsewhere no source says what the others count.
 
-use crate::quotient;
 use crate::real::{self, Real};
+use crate::{integer, quotient};
 use num_bigint::BigUint;
 use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 
@@ -20,7 +20,8 @@ const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
     match (units, ty) {
         (MomentUnits::Counts, Ltime | Ltod | Ldate | Ldt) => 1,
         (MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990, Date | Ldate) => 86_400_000_000_000,
-        (MomentUnits::Seconds, Date | Ldate | Dt | Ldt) | (MomentUnits::Counts, Date | Dt) => 1_000_000_000,
+        (MomentUnits::Seconds | MomentUnits::ShortTime, Date | Ldate | Dt | Ldt)
+        | (MomentUnits::Counts, Date | Dt) => 1_000_000_000,
         _ => 1_000_000,
     }
 }
@@ -88,6 +89,10 @@ pub(crate) fn from_units(number: i128, to: ElementaryType, units: MomentUnits) -
         MomentUnits::Counts if to.family() == Family::TimeOfDay => {
             let time = of_units(count(number, to), to, units).rem_euclid(DAY);
             wrapped(time).cast_unsigned()
+        }
+        MomentUnits::ShortTime if to == ElementaryType::Time => {
+            let milliseconds = integer::of_bits(number, 32, ElementaryType::Dint);
+            wrapped(of_units(milliseconds, to, units)).cast_unsigned()
         }
         MomentUnits::Counts => stored(wrapped(of_units(count(number, to), to, units)), to),
         _ => stored(wrapped(of_units(number, to, units)), to),

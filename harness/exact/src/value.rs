@@ -4,8 +4,8 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{
-    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange,
-    Rounding, Value,
+    BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
+    OutOfRange, Rounding, Value,
 };
 
 /// Returns the result of a call of a conversion function, computed exactly by the given choices.
@@ -96,6 +96,11 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
         (BitString, Boolean) if choices.bit_string_as_bool == BitStringAsBool::LowestBit => raw & 1,
         (_, Boolean) => u64::from(number() != 0),
         (BitString, Real) | (Real, BitString) if is_copy => raw,
+        (Signed, BitString) | (BitString, Signed)
+            if choices.bits_as_integer == BitsAsInteger::Copy && from.bits() < to.bits() =>
+        {
+            integer::wrapped(integer::of_bits(number(), from.bits(), to), to)
+        }
         (Boolean | Signed | Unsigned | BitString | Character, Signed | Unsigned | BitString | Character) => {
             integer::wrapped(number(), to)
         }
@@ -121,6 +126,9 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
             if counts && from != to =>
         {
             moment::between_counts(raw, from, to)
+        }
+        (Duration, Duration) if units == MomentUnits::ShortTime && from != to => {
+            moment::from_units(moment::units(raw, from, units), to, units)
         }
         (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
             moment::between(raw, to)

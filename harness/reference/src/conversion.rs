@@ -42,8 +42,8 @@ mod writing;
 
 pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_function_name, function};
 pub use concatenation::{Concatenation, PARAMETERS, concatenation};
-pub(crate) use implicit::common_operand;
 pub(crate) use implicit::literal_warning;
+pub(crate) use implicit::{common_operand, of_operand};
 pub use implicit::{implicit, implicit_warning};
 pub use listing::{catalogue_names, functions};
 pub use rule::{Conversion, ConversionRule};

@@ -275,6 +275,10 @@ pub enum StandardFunction {
     Max,
     /// LIMIT: pops minimum, value, maximum; `MIN(MAX(value, minimum), maximum)`.
     Limit,
+    /// ABS of reals that gives an infinity and a NaN for itself.
+    FiniteAbs,
+    /// LIMIT of reals that gives the value where one of the three is an infinity or a NaN.
+    FiniteLimit,
     /// SHL: pops a value and a count as an i64; zeros come in; a count below 0 or past the width gives 0.
     Shl,
     /// SHR.

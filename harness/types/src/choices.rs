@@ -87,6 +87,10 @@ words! {
         /// The longest number in decimal digits at the beginning, after any blanks and tabs; a real may begin or end with its
         /// point. BOOL is TRUE where the text begins with `TRUE` in upper case.
         LeadingDigits = "leading-digits",
+        /// The whole text but blanks, tabs and the ends of lines and pages (the characters 9 to 13) at either end; a duration needs its prefix.
+        WholeLiteral = "whole-literal",
+        /// The whole text but underscores, wherever they are, and blanks at either end and behind the sign.
+        LooseDigits = "loose-digits",
     }
 }
 
@@ -115,6 +119,20 @@ words! {
 }
 
 words! {
+    /// The bits that a bit string, or an integer with a sign, gets from an integer or bit string with fewer bits.
+    ///
+    /// An integer without a sign has the same bits either way.
+    BitsAsInteger {
+        /// The number: a bit string has none below 0, and a number below 0 fills a bit string with ones. `SINT_TO_WORD(-1)` is 16#FFFF,
+        /// `BYTE_TO_INT(16#FF)` is 255.
+        Number = "number",
+        /// The bits of the operand: a bit string is filled with zeros, an integer with copies of the highest bit. `SINT_TO_WORD(-1)` is 16#00FF,
+        /// `BYTE_TO_INT(16#FF)` is -1.
+        Copy = "copy",
+    }
+}
+
+words! {
     /// The bits of a BYTE, WORD, DWORD or LWORD that decide whether it converts to TRUE.
     BitStringAsBool {
         /// All of them: only zero is FALSE.
@@ -138,6 +156,8 @@ words! {
         /// becomes such an integer as it becomes any other, and each type converts to each; only TOD gives LTIME its count,
         /// not its time.
         Counts = "counts",
+        /// As `seconds`, but TIME is an integer of 32 bits with a sign that counts milliseconds: an integer or a duration becomes one modulo 2^32.
+        ShortTime = "short-time",
     }
 }
 
@@ -175,6 +195,7 @@ choices_of_words! {
     BitStringText,
     MomentText,
     BitsAsReal,
+    BitsAsInteger,
     BitStringAsBool,
     MomentUnits,
 }
@@ -241,6 +262,10 @@ choices! {
         moment_text: MomentText = MomentText::Literal, ["conversions.moment-text"];
         /// The meaning of the bits of a bit string as a real of the same width.
         bits_as_real: BitsAsReal = BitsAsReal::Number, ["conversions.bits-as-real"];
+        /// The bits of a bit string or an integer with a sign where the operand is the other, and has fewer bits.
+        ///
+        /// Basis: plcnext-conversions: TO_DWORD, TO_LWORD, TO_DINT, by which they are copied.
+        bits_as_integer: BitsAsInteger = BitsAsInteger::Number, ["conversions.bits-as-integer"];
         /// The bits of a bit string that decide whether it converts to TRUE.
         bit_string_as_bool: BitStringAsBool = BitStringAsBool::AnyBit, ["conversions.bit-string-as-bool"];
         /// The unit in which a number counts a duration, date or time of day.

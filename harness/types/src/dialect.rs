@@ -121,6 +121,14 @@ choices! {
         ///
         /// Basis: iec-60559: Special Quantities; omron-instructions: 135, by which it does not.
         nan_differs: bool = true, ["flags.nan-differs"];
+        /// LIMIT gives its input IN where one of its inputs is an infinity or not a number, and ABS gives negative infinity for itself.
+        ///
+        /// Basis: plcnext-selection: LIMIT; plcnext-numeric: ABS.
+        keeps_not_finite: bool = false, ["flags.keeps-not-finite"];
+        /// TRUNC of an LREAL gives a LINT, as ROUND does, and no DINT.
+        ///
+        /// Basis: omron-instructions: 296.
+        long_truncation: bool = false, ["flags.long-truncation"];
         /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
         /// Specific Features.
         mixed_locations: bool = true, ["flags.mixed-locations"];

@@ -55,8 +55,8 @@ mod wrap;
 mod written_value;
 
 pub use choices::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MatrixWord, MomentText, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, MatrixWord, MomentText,
+    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
 pub use contradiction::{Contradiction, PrintedResult, Relation};

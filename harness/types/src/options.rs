@@ -19,6 +19,8 @@ words! {
         ThirdEdition = "third-edition",
         /// Every pair of numbers and bit strings: what narrows is only warned of.
         Numbers = "numbers",
+        /// Every pair of integers and reals.
+        IntegersAndReals = "integers-and-reals",
         /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
         NumbersAndMoments = "numbers-and-moments",
         /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.

@@ -6,8 +6,8 @@ use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, Family, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading, wrap_within,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family,
+    MomentUnits, OutOfRange, RealText, Rounding, TextReading, wrap_within,
 };
 
 const DIM: Style = Style::new().dimmed();
@@ -163,6 +163,12 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }
+        TextReading::WholeLiteral => {
+            "the whole text, white space around it aside, must be a literal; otherwise 0"
+        }
+        TextReading::LooseDigits => {
+            "the whole text, underscores and blanks aside, must be a number; otherwise 0"
+        }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }
     .to_owned()
@@ -220,7 +226,9 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
         }
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
         Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.moment_units, family) {
-            (MomentUnits::Seconds | MomentUnits::Counts, _) => "the number counts seconds since 1970-01-01",
+            (MomentUnits::Seconds | MomentUnits::Counts | MomentUnits::ShortTime, _) => {
+                "the number counts seconds since 1970-01-01"
+            }
             (MomentUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
             (MomentUnits::DaysSince1990, Family::Date) => "the number counts days since 1990-01-01",
             (MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990, _) => {
@@ -233,7 +241,10 @@ fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
 }
 
 fn outside_of_moments(choices: &ConversionChoices, signature: &Signature) -> String {
-    if choices.moment_units == MomentUnits::Counts {
+    let is_short = choices.moment_units == MomentUnits::ShortTime
+        && signature.result == ElementaryType::Time
+        && !signature.operands[0].is_real();
+    if choices.moment_units == MomentUnits::Counts || is_short {
         let bits = if signature.result.is_third_edition() {
             64
         } else {

@@ -75,6 +75,9 @@ impl UnaryCall<'_> {
             "conversions.bits-as-real" => {
                 is_pair && (from.is_bit_string() && to.is_real() || from.is_real() && to.is_bit_string())
             }
+            "conversions.bits-as-integer" => {
+                is_pair && (from.is_signed() && to.is_bit_string() || from.is_bit_string() && to.is_signed())
+            }
             "conversions.bit-string-as-bool" => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
             "conversions.moment-units" => is_pair && (is_moment(from) || is_moment(to)),
             _ => false,
@@ -84,6 +87,9 @@ impl UnaryCall<'_> {
     /// Returns whether the documents of the base make this choice.
     fn documents(self, key: &str) -> bool {
         match key {
+            _ if self.rules == Rules::Plcnext => {
+                key != TRUNCATION_OUT_OF_RANGE && self.to.family() != Family::Text
+            }
             "conversions.rounding" => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
             "conversions.out-of-range" | TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
             "conversions.bits-as-real" => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),

@@ -26,6 +26,7 @@ impl UnaryCall<'_> {
     pub(super) fn of_overloaded(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Duration, Signed, TimeOfDay, Unsigned};
         match (self.rules, self.from.family(), self.to.family()) {
+            (Rules::Plcnext, ..) => self.of_plcnext_conversion(raw),
             (Rules::Rusty, Signed | Unsigned, Signed | Unsigned) => Some(RUSTY_TO_NUMBER),
             (Rules::Rusty, BitString | Boolean, BitString | Boolean) => Some(RUSTY_TO_BITS),
             (Rules::Strucpp, Signed | Unsigned | Duration | TimeOfDay, Signed | Unsigned) => {

@@ -15,8 +15,11 @@ const DAY: i64 = 86_400_000_000_000;
 const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
-        (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
         (Family::Date, MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990) => DAY.unsigned_abs(),
+        (
+            Family::Date | Family::DateAndTime,
+            MomentUnits::Seconds | MomentUnits::ShortTime | MomentUnits::Counts,
+        ) => 1_000_000_000,
         _ => 1_000_000,
     }
 }

@@ -43,7 +43,7 @@ fn counts_real_units(signature: &Signature, choices: &ConversionChoices) -> bool
     use Family::{Date, DateAndTime, Duration, TimeOfDay};
     signature.operands == [ElementaryType::Real]
         && match choices.moment_units {
-            MomentUnits::Seconds | MomentUnits::DaysSince1990 => false,
+            MomentUnits::Seconds | MomentUnits::DaysSince1990 | MomentUnits::ShortTime => false,
             MomentUnits::DaysAndMilliseconds => signature.result.family() == Date,
             MomentUnits::Counts => {
                 matches!(

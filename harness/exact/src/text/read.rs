@@ -24,7 +24,7 @@ use stickler_types::{ConversionChoices, ElementaryType, Family, TextReading};
 /// be read, beyond plain decimal numbers, no source says.
 pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoices) -> u64 {
     // No literal has a character that is not ASCII; 16#FF stands for all of those.
-    let bytes: Vec<u8> = units
+    let mut bytes: Vec<u8> = units
         .iter()
         .map(|&unit| u8::try_from(unit).unwrap_or(0xFF))
         .collect();
@@ -33,7 +33,14 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
     {
         return value;
     }
-    let text = trimmed(&bytes);
+    if choices.text_reading == TextReading::LooseDigits {
+        let first = bytes.iter().position(u8::is_ascii_digit).unwrap_or(0);
+        let mut digits = bytes.split_off(first);
+        bytes.retain(|&byte| byte != b' ');
+        bytes.append(&mut digits);
+        bytes.retain(|&byte| byte != b'_');
+    }
+    let text = trimmed(&bytes, choices.text_reading);
     let mut scanner = LiteralScanner::new(text);
     let value = match to.family() {
         Family::Boolean => whole(&mut scanner, |scanner| boolean(scanner).map(u64::from)),
@@ -43,6 +50,9 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
             (!is_outside).then(|| residue(integer, to))
         }),
         Family::Real => number(&mut scanner, choices, |scanner| real_number(scanner, to)),
+        Family::Duration if choices.text_reading == TextReading::WholeLiteral && !text.contains(&b'#') => {
+            None
+        }
         Family::Duration => whole(behind_prefix(&mut scanner, text, to), duration),
         Family::Date => whole(behind_prefix(&mut scanner, text, to), |scanner| {
             nanoseconds(date(scanner)?, 0)
@@ -79,12 +89,13 @@ fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
     }
 }
 
-/// Returns the text without the blanks at either end.
-fn trimmed(mut text: &[u8]) -> &[u8] {
-    while let [b' ', rest @ ..] | [rest @ .., b' '] = text {
-        text = rest;
-    }
-    text
+/// Returns the text without the blanks at either end, and without all that counts as white space where the choice is a literal.
+fn trimmed(text: &[u8], reading: TextReading) -> &[u8] {
+    let is_kept =
+        |byte: &u8| *byte != b' ' && !(reading == TextReading::WholeLiteral && (9..=13).contains(byte));
+    let start = text.iter().position(is_kept).unwrap_or(text.len());
+    let end = text.iter().rposition(is_kept).map_or(start, |last| last + 1);
+    &text[start..end]
 }
 
 /// Returns the value that `read` reads, if it consumes the text to its end.
@@ -103,7 +114,10 @@ fn number<'t>(
     read: impl Fn(&mut LiteralScanner<'t>) -> Option<u64>,
 ) -> Option<u64> {
     match choices.text_reading {
-        TextReading::WholeText | TextReading::WholeTextInRange => whole(scanner, read),
+        TextReading::WholeText
+        | TextReading::WholeTextInRange
+        | TextReading::WholeLiteral
+        | TextReading::LooseDigits => whole(scanner, read),
         TextReading::LeadingNumber | TextReading::LeadingDigits => read(scanner),
     }
 }

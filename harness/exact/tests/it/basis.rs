@@ -32,7 +32,7 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     use stickler_exact::{choices_of, value};
     use stickler_types::{
         BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MomentText, MomentUnits, OutOfRange,
-        RealText, Rounding, TextReading,
+        RealText, TextReading,
     };
     let texts = ["", " 7"]
         .into_iter()
@@ -45,9 +45,9 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     };
     for dialect in DialectName::ALL.into_iter().filter(states_all) {
         let own = choices_of(dialect);
-        // matiec documents what lies outside.
+        // matiec and PLCnext Engineer document what lies outside.
         let out_of_range = match dialect {
-            DialectName::MATIEC => own.out_of_range,
+            DialectName::MATIEC | DialectName::PLCNEXT => own.out_of_range,
             _ => OutOfRange::Saturate,
         };
         let other = ConversionChoices {
@@ -60,23 +60,20 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
             },
             out_of_range,
             truncation_out_of_range: out_of_range,
-            rounding: if dialect == DialectName::PLCNEXT {
-                Rounding::HalfAwayFromZero
-            } else {
-                own.rounding
-            },
-            // RuSTy documents the first two, STruC++ the third; a rule of ours and the ForgeIEC page speak of the second.
-            bits_as_real: if dialect == DialectName::RUSTY {
+            rounding: own.rounding,
+            bits_as_integer: own.bits_as_integer,
+            // RuSTy documents the first two, STruC++ the third, PLCnext Engineer all; a rule of ours and the ForgeIEC page speak of the second.
+            bits_as_real: if matches!(dialect, DialectName::RUSTY | DialectName::PLCNEXT) {
                 own.bits_as_real
             } else {
                 BitsAsReal::Copy
             },
-            bit_string_as_bool: if matches!(dialect, DialectName::PLCNEXT | DialectName::STRUCPP) {
+            bit_string_as_bool: if dialect == DialectName::STRUCPP {
                 BitStringAsBool::LowestBit
             } else {
                 own.bit_string_as_bool
             },
-            moment_units: if dialect == DialectName::STRUCPP {
+            moment_units: if matches!(dialect, DialectName::STRUCPP | DialectName::PLCNEXT) {
                 own.moment_units
             } else {
                 MomentUnits::DaysAndMilliseconds

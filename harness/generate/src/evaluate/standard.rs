@@ -28,6 +28,14 @@ impl<'p> ModelEvaluator<'p> {
         for argument in arguments {
             cells.push(self.expression(unit, argument)?);
         }
+        let keeps = self.program.dialect.rules().keeps_not_finite;
+        let is_real =
+            |argument: &Expression| self.elementary(&argument.ty).is_ok_and(ElementaryType::is_real);
+        if keeps && matches!(function, Abs | Limit) && arguments.iter().any(is_real) {
+            self.open(OpenQuestion::NotANumber, unit, || {
+                "ABS or LIMIT of an infinity".to_owned()
+            });
+        }
         match (function, &cells[..], arguments) {
             (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
             (Sel, [MemoryCell::Plain(gate), first, second], _) => {

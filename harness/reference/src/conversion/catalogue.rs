@@ -45,7 +45,7 @@ pub enum ResultType {
         /// The type where there is no target, or where the target is of another type.
         default: ElementaryType,
     },
-    /// DINT for REAL, LINT for LREAL (ROUND and its kin).
+    /// DINT for REAL, LINT for LREAL (ROUND and its kin, in some dialects TRUNC).
     OfArgument,
 }
 
@@ -164,7 +164,7 @@ impl ConversionFunction {
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST |
 /// | `TO_<DST>` | any type that converts | DST |
-/// | `TRUNC` | REAL, LREAL | DINT |
+/// | `TRUNC` | REAL, LREAL | DINT; in some dialects LINT of an LREAL |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
 /// | `BCD_TO_INT` | BYTE, WORD | INT or DINT, by the target |
@@ -245,6 +245,12 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         }
         None => (name, None),
     };
+    if name == "TRUNC" && dialect.long_truncation {
+        return truncation(any_real, ElementaryType::Dint, dialect).map(|found| ConversionFunction {
+            result: ResultType::OfArgument,
+            ..found
+        });
+    }
     let rounding = match stem {
         "TRUNC" => Rounding::Truncate,
         "ROUND" => Rounding::HalfToEven,

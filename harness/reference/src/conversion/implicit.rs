@@ -24,6 +24,10 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
             Widening::ThirdEdition => third_edition(from, to),
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
+            Widening::IntegersAndReals => {
+                let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
+                is_number(from) && is_number(to)
+            }
             Widening::NumbersUnlessNarrower => numbers_unless_narrower(from, to),
             Widening::NumbersApartFromBool => {
                 from != ElementaryType::Bool && to != ElementaryType::Bool && numbers(from, to)
@@ -38,6 +42,17 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     }
     let rule = ConversionRule::between(from, to, &dialect.conversions)?;
     Some(Conversion { from, to, rule })
+}
+
+/// Returns what becomes of an operand beside one of another type: what [`implicit`] says, and a conversion in any case where operands meet in
+/// the type with the higher rank.
+pub(crate) fn of_operand(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Conversion> {
+    implicit(from, to, dialect).or_else(|| {
+        let ranks = rank(from).zip(rank(to));
+        ranks.filter(|_| dialect.operands == OperandTypes::HigherRank)?;
+        let rule = ConversionRule::between(from, to, &dialect.conversions)?;
+        Some(Conversion { from, to, rule })
+    })
 }
 
 /// Returns the warning with which a dialect accepts an implicit conversion; `None` where it has none, or where the types do not

@@ -15,8 +15,11 @@ const DAY: i64 = 86_400_000_000_000;
 const fn unit(ty: ElementaryType, units: MomentUnits) -> i64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
-        (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
         (Family::Date, MomentUnits::DaysAndMilliseconds | MomentUnits::DaysSince1990) => DAY,
+        (
+            Family::Date | Family::DateAndTime,
+            MomentUnits::Seconds | MomentUnits::ShortTime | MomentUnits::Counts,
+        ) => 1_000_000_000,
         _ => 1_000_000,
     }
 }
@@ -101,6 +104,10 @@ pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
         (MomentUnits::Counts, _) => {
             let count = narrow(raw, counter(to)).cast_signed();
             whole(count.wrapping_mul(unit(to, units)), to)
+        }
+        (MomentUnits::ShortTime, ElementaryType::Time) => {
+            let count = narrow(raw, ElementaryType::Dint).cast_signed();
+            (count * unit(to, units)).cast_unsigned()
         }
         _ => {
             let nanoseconds = raw.cast_signed().wrapping_mul(unit(to, units));

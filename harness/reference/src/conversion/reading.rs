@@ -19,11 +19,21 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     if reading == TextReading::LeadingDigits && to.integer_range().is_some() | to.is_real() {
         return read_digits(ascii.trim_start_matches([' ', '\t']), to);
     }
-    let text = ascii.trim_matches(' ');
+    let bare: Cow<'_, str> = match reading {
+        TextReading::LooseDigits => {
+            let (before, digits) = ascii.split_at(ascii.find(|c: char| c.is_ascii_digit()).unwrap_or(0));
+            (before.replace([' ', '_'], "") + &digits.replace('_', "")).into()
+        }
+        _ => ascii.as_str().into(),
+    };
+    let text = match reading {
+        TextReading::WholeLiteral => bare.trim_matches(['\t', '\n', '\x0B', '\x0C', '\r', ' ']),
+        _ => bare.trim_matches(' '),
+    };
     let number = |beginning: fn(&str) -> &str| match reading {
-        TextReading::WholeText | TextReading::WholeTextInRange if whole => text,
-        TextReading::WholeText | TextReading::WholeTextInRange => "",
         TextReading::LeadingNumber | TextReading::LeadingDigits => beginning(text),
+        _ if whole => text,
+        _ => "",
     };
     match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => {
@@ -34,6 +44,7 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
         Family::Real => read_real(number(leading_real), to),
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),
+        Family::Duration if reading == TextReading::WholeLiteral && !text.contains('#') => 0,
         _ => read_moment(text, to),
     }
 }

@@ -4,8 +4,8 @@
 use super::{moment, reading, real, text, writing};
 use crate::raw;
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentText,
-    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family,
+    MomentText, MomentUnits, OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// A conversion from one elementary type to another.
@@ -29,6 +29,9 @@ pub enum ConversionRule {
     /// character count as unsigned.
     /// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: Range and precision.
     Wrap,
+    /// A bit string and an integer with a sign, of which the target has more bits: the bits, below zeros or copies of the sign.
+    /// Basis: plcnext-conversions: TO_DWORD, TO_DINT.
+    CopyBits,
     /// Zero is FALSE, all else TRUE; -0.0 is zero, and a NaN is not.
     /// Basis: forgeiec-conversion-functions: The naming pattern ("0 → FALSE, anything else → TRUE").
     NonZero,
@@ -61,6 +64,9 @@ pub enum ConversionRule {
     /// A duration, date or time of day as another that counts its own unit.
     /// Basis: codesys-recording: fixtures/conversions/cross-family.ts, fixtures/conversions/explicit-pairs.ts.
     BetweenCounts,
+    /// An LTIME as the TIME of its whole milliseconds, modulo 2^32.
+    /// Basis: plcnext-conversions: TO_TIME.
+    ShortTime,
     /// The day of a date and time, also before 1970; a duration and a time of day count from the beginning of 1970, which is open.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
     Day,
@@ -107,10 +113,16 @@ impl ConversionRule {
         let units = match (from.family(), to.family()) {
             (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.moment_units,
             _ if counts => choices.moment_units,
+            _ if matches!(to, ElementaryType::Time) => choices.moment_units,
             // The others have one unit in all other dialects, and so one rule.
             _ => MomentUnits::Seconds,
         };
         Some(match (from.family(), to.family()) {
+            (Signed, BitString) | (BitString, Signed)
+                if matches!(choices.bits_as_integer, BitsAsInteger::Copy) && from.bits() < to.bits() =>
+            {
+                ConversionRule::CopyBits
+            }
             (Boolean | Signed | Unsigned | BitString, Signed | Unsigned | BitString)
             | (Boolean, Boolean)
             | (Character, Signed | Unsigned | BitString)
@@ -135,6 +147,11 @@ impl ConversionRule {
                 if counts && from as usize != to as usize =>
             {
                 ConversionRule::BetweenCounts
+            }
+            (Duration, Duration)
+                if matches!(units, MomentUnits::ShortTime) && !matches!(from, ElementaryType::Time) =>
+            {
+                ConversionRule::ShortTime
             }
             (Date, Date)
             | (TimeOfDay, TimeOfDay)
@@ -230,6 +247,14 @@ impl Conversion {
         match self.rule {
             ConversionRule::Keep => value,
             ConversionRule::Wrap => raw::narrow(value, self.to),
+            ConversionRule::CopyBits => {
+                // The mask keeps the shift in range for a text, which has no bits.
+                let unused = 64_u32.wrapping_sub(self.from.bits()) & 63;
+                match (value << unused, self.to.is_signed()) {
+                    (bits, true) => (bits.cast_signed() >> unused).cast_unsigned(),
+                    (bits, false) => bits >> unused,
+                }
+            }
             ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
             ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
             ConversionRule::BetweenReals => real::between(value, self.from, self.to),
@@ -250,6 +275,10 @@ impl Conversion {
                 moment::from_units(count, self.to, MomentUnits::Counts)
             }
             ConversionRule::BetweenCounts => moment::between_counts(value, self.from, self.to),
+            ConversionRule::ShortTime => {
+                let milliseconds = moment::to_units(value, self.from, MomentUnits::ShortTime);
+                moment::from_units(milliseconds, self.to, MomentUnits::ShortTime)
+            }
             ConversionRule::Day => moment::day(value),
             ConversionRule::TimeOfDay => moment::time_of_day(value),
             ConversionRule::Character => text::character(value, self.to),

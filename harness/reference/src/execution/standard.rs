@@ -6,6 +6,7 @@
 use super::arithmetic::absolute;
 use super::comparison::{compare, extreme};
 use super::stop::Halt;
+use crate::conversion::real;
 use crate::instruction::{FaultKind, RealFunction, StandardFunction};
 use crate::raw::narrow;
 use std::borrow::Cow;
@@ -26,9 +27,9 @@ pub(super) fn number_count(function: StandardFunction) -> usize {
 /// Counts the plain operands that a function takes from the stack, its selector included.
 pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
     match function {
-        StandardFunction::Abs => 1,
+        StandardFunction::Abs | StandardFunction::FiniteAbs => 1,
         StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
-        StandardFunction::Sel | StandardFunction::Limit => 3,
+        StandardFunction::Sel | StandardFunction::Limit | StandardFunction::FiniteLimit => 3,
         StandardFunction::Mux => usize::from(count) + 1,
         StandardFunction::Min | StandardFunction::Max | StandardFunction::InOrder(_) => usize::from(count),
         StandardFunction::Real(RealFunction::ArcTangent2) => 2,
@@ -44,10 +45,15 @@ pub(super) fn of_plain(
     operands: &[u64],
 ) -> Result<u64, Halt> {
     match (function, operands) {
-        (StandardFunction::Abs, &[value]) => Ok(absolute(of, value)),
+        (StandardFunction::FiniteAbs, &[value]) | (StandardFunction::FiniteLimit, &[_, value, _])
+            if !operands.iter().all(|&raw| real::decode(raw, of).is_finite()) =>
+        {
+            Ok(value)
+        }
+        (StandardFunction::Abs | StandardFunction::FiniteAbs, &[value]) => Ok(absolute(of, value)),
         (StandardFunction::Real(function), values) => {
-            let values: Vec<f64> = values.iter().map(|raw| real(of, *raw)).collect();
-            Ok(raw_of_real(of, of_reals(function, &values)))
+            let values: Vec<f64> = values.iter().map(|raw| real::decode(*raw, of)).collect();
+            Ok(real::encode(of_reals(function, &values), of))
         }
         (StandardFunction::Sel, &[choice, if_false, if_true]) => {
             Ok(if choice == 0 { if_false } else { if_true })
@@ -66,7 +72,7 @@ pub(super) fn of_plain(
                 .all(|pair| compare(operator, of, pair[0], pair[1]));
             Ok(is_in_order.into())
         }
-        (StandardFunction::Limit, &[minimum, value, maximum]) => {
+        (StandardFunction::Limit | StandardFunction::FiniteLimit, &[minimum, value, maximum]) => {
             let raised = extreme(of, Ordering::Greater, value, minimum);
             Ok(extreme(of, Ordering::Less, raised, maximum))
         }
@@ -82,22 +88,6 @@ pub(super) fn of_plain(
             of,
         )),
         _ => Err(Halt::Missing("operand of a standard function")),
-    }
-}
-
-/// Returns the number of a raw real.
-fn real(of: ElementaryType, raw: u64) -> f64 {
-    match of {
-        ElementaryType::Real => f32::from_bits(raw as u32).into(),
-        _ => f64::from_bits(raw),
-    }
-}
-
-/// Returns the raw form of a number, rounded to the type.
-fn raw_of_real(of: ElementaryType, value: f64) -> u64 {
-    match of {
-        ElementaryType::Real => (value as f32).to_bits().into(),
-        _ => value.to_bits(),
     }
 }
 

@@ -6,7 +6,7 @@
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
-use crate::conversion::{common_operand, implicit};
+use crate::conversion::{common_operand, of_operand};
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
 
@@ -104,8 +104,8 @@ impl TypeRules<'_> {
             return Some(left);
         }
         let (from, to) = (left.elementary()?, right.elementary()?);
-        let rightward = implicit(from, to, self.dialect).is_some();
-        let leftward = implicit(to, from, self.dialect).is_some();
+        let rightward = of_operand(from, to, self.dialect).is_some();
+        let leftward = of_operand(to, from, self.dialect).is_some();
         match (leftward, rightward) {
             (true, false) => Some(left),
             (false, true) => Some(right),

@@ -2,7 +2,7 @@
 
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind, TypeTable};
-use crate::conversion::implicit;
+use crate::conversion::{implicit, of_operand};
 use stickler_types::dialect::Dialect;
 use stickler_types::{Code, ElementaryType};
 
@@ -93,7 +93,11 @@ pub(super) fn fit(
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target => true,
         Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
-            (Some(from), Some(to)) => implicit(from, to, dialect).is_some(),
+            (Some(from), Some(to)) => match context {
+                ValueContext::Operand | ValueContext::CommonArgument => of_operand(from, to, dialect),
+                _ => implicit(from, to, dialect),
+            }
+            .is_some(),
             _ => false,
         },
         Inferred::Integer(_) => elementary.is_some_and(|ty| integer_fits(ty, context, dialect)),

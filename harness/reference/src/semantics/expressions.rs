@@ -12,7 +12,7 @@ use super::model::EnumeratedName;
 use super::promotion::{is_whole, prefixed, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
-use crate::conversion::{Conversion, ConversionRule, implicit};
+use crate::conversion::{Conversion, ConversionRule, of_operand};
 use crate::instruction::Instruction;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::dialect::{Dialect, OperandTypes};
@@ -104,7 +104,7 @@ impl<'m> Lowering<'m> {
         let from = elementary_value(value.ty, &self.model.types, dialect);
         let conversion = from.zip(to.elementary());
         let Some(conversion) = conversion
-            .and_then(|(from, to)| implicit(from, to, dialect).or_else(|| narrowed(from, to, dialect)))
+            .and_then(|(from, to)| of_operand(from, to, dialect).or_else(|| narrowed(from, to, dialect)))
         else {
             return LoweredValue::ERROR;
         };

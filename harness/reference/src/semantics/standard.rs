@@ -171,7 +171,13 @@ impl<'m> Lowering<'m> {
         if matches!(function, StandardFunction::Shl | StandardFunction::Shr) {
             self.mask_shift_count(of);
         }
-        self.emit_standard(call, function, of, common.len());
+        let keeps = self.model.source.dialect.keeps_not_finite && of.is_real();
+        let computed = match function {
+            StandardFunction::Abs if keeps => StandardFunction::FiniteAbs,
+            StandardFunction::Limit if keeps => StandardFunction::FiniteLimit,
+            _ => function,
+        };
+        self.emit_standard(call, computed, of, common.len());
         match function.counts() {
             true => LoweredValue::of(ElementaryType::Int),
             false => LoweredValue::computed(ty),

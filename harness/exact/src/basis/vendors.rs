@@ -1,0 +1,92 @@
+//! The results that the vendors of PLCnext Engineer and of Omron NJ state, on a page for each group of functions.
+
+use super::{ROUNDED, Rules, UnaryCall, WholePosition, texts};
+use crate::integer;
+use crate::real::{self, Real, Whole};
+use stickler_types::{ElementaryType, Family, Rounding};
+
+/// The pages of PLCnext Engineer's help that were read, each on the functions that give one type.
+const PLCNEXT_PAGES: [&str; 10] = [
+    "plcnext-conversions: TO_BOOL",
+    "plcnext-conversions: TO_SINT",
+    "plcnext-conversions: TO_DINT",
+    "plcnext-conversions: TO_USINT",
+    "plcnext-conversions: TO_UINT",
+    "plcnext-conversions: TO_REAL",
+    "plcnext-conversions: TO_LREAL",
+    "plcnext-conversions: TO_DWORD",
+    "plcnext-conversions: TO_LWORD",
+    "plcnext-conversions: TO_TIME",
+];
+
+/// The page of Omron's manual on real numbers that become integers.
+pub(super) const OMRON_ROUNDING: &str = "omron-instructions: 296";
+
+fn plcnext_page(to: ElementaryType) -> Option<&'static str> {
+    let function = format!(" TO_{to}");
+    PLCNEXT_PAGES.into_iter().find(|page| page.ends_with(&function))
+}
+
+impl UnaryCall<'_> {
+    /// Returns the basis of `TO_<DST>` and of `<SRC>_TO_<DST>` in PLCnext Engineer. Infinities as integers are not spoken of, nor the bits of a NaN,
+    /// and a REAL that cannot hold an LREAL "depends on the target".
+    pub(super) fn of_plcnext_conversion(self, raw: u64) -> Option<&'static str> {
+        use Family::{BitString, Boolean, Duration, Real as RealNumber, Signed, Unsigned};
+        let same_width = self.from.bits() == self.to.bits();
+        let operand = real::decode(raw, self.from);
+        let is_stated = match (self.from.family(), self.to.family()) {
+            (Signed | Unsigned, RealNumber) => return Some(ROUNDED),
+            // Within 2^-126 and 2^127.
+            (RealNumber, RealNumber) => {
+                let is_near = self.to == ElementaryType::Lreal
+                    || !matches!(operand, Real::Finite { significand: 1.., exponent, .. } if !(-178..=74).contains(&exponent));
+                return is_near.then(|| self.of_real_to_real(raw));
+            }
+            (Boolean | BitString | Signed | Unsigned, Signed | Unsigned | BitString)
+            | (BitString | Signed | Unsigned | RealNumber, Boolean)
+            | (Boolean, RealNumber) => true,
+            (RealNumber, Signed | Unsigned) => !matches!(operand, Real::Infinite { .. }),
+            (BitString, RealNumber) => same_width,
+            (RealNumber, BitString) => same_width && operand != Real::NotANumber,
+            (Signed | Unsigned | Duration, Duration) => self.to == ElementaryType::Time,
+            _ if [self.from, self.to].contains(&ElementaryType::Time) => return self.of_time(raw),
+            _ => false,
+        };
+        plcnext_page(self.to).filter(|_| is_stated && self.from != self.to)
+    }
+
+    /// Returns the basis of reading a STRING as a real in PLCnext Engineer, and as a number in Omron NJ, where a text that is none changes nothing.
+    pub(super) fn of_vendor_text(self, units: &[u16]) -> Option<&'static str> {
+        let is_plain = texts::is_plain_number(units, self.to);
+        match self.rules {
+            Rules::Plcnext if self.to.is_real() => {
+                texts::basis(units, self.to).and_then(|_| plcnext_page(self.to))
+            }
+            Rules::Omron if !is_plain => None,
+            Rules::Omron if self.to.is_real() => Some("omron-instructions: 323"),
+            Rules::Omron => Some("omron-instructions: 319"),
+            _ => None,
+        }
+    }
+
+    /// Returns the basis of `<SRC>_TO_<DST>` in Omron NJ, where a number that the target does not hold gives "an illegal value"; a bit string holds those
+    /// of an integer with a sign.
+    pub(super) fn of_omron_conversion(self, raw: u64) -> Option<&'static str> {
+        use Family::{BitString, Real as RealNumber, Signed, Unsigned};
+        match (self.from.family(), self.to.family()) {
+            (Signed | Unsigned, RealNumber) => Some("omron-instructions: 286"),
+            (BitString, RealNumber) => Some("omron-instructions: 293"),
+            (RealNumber, Signed | Unsigned) => {
+                (self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside).then_some(OMRON_ROUNDING)
+            }
+            (RealNumber, BitString) => match self.whole(raw, Rounding::HalfToEven) {
+                Some(Whole::Number(number)) => {
+                    let signed = integer::of_bits(number, self.to.bits(), ElementaryType::Lint);
+                    (signed == number).then_some("omron-instructions: 298")
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
