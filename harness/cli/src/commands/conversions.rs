@@ -8,13 +8,13 @@ use crate::exit::Exit;
 use crate::interrupt;
 use crate::output;
 use std::io::Write;
-use stickler_conversions::overview::{self, AnswerSource, AssertedResult, OverviewPage};
+use stickler_conversions::overview::{self, AnswerSource, AssertedResult, CallOperands, OverviewPage};
 use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
 use stickler_suite::SourceKind;
-use stickler_types::{DialectName, PrintedResult, Value, wrap};
+use stickler_types::{DialectName, PrintedResult, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -50,7 +50,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     if arguments.values.is_empty() {
-        add_documented(&mut calls, &documented);
+        add_documented(&mut calls, &asserted, &documented);
     }
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
@@ -98,7 +98,7 @@ struct Known {
     /// The results that cases assert.
     asserted: Vec<AssertedResult>,
     /// The operands of those of them that rest on a document, with the dialect.
-    documented: Vec<(DialectName, Vec<Value>)>,
+    documented: Vec<(DialectName, CallOperands)>,
     /// The recordings of compilers.
     recordings: Vec<Recording>,
     /// The statements of sources against others of the same system.
@@ -146,17 +146,30 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
     })
 }
 
-/// Adds the operands whose results pages print and no rule gives, so that they are shown without being asked for.
-fn add_documented(calls: &mut [(Signature, Vec<Vec<Value>>)], documented: &[(DialectName, Vec<Value>)]) {
-    for (dialect, operands) in documented {
-        for (signature, shown) in &mut *calls {
-            let is_new = signature.takes(operands) && !shown.contains(operands);
-            if is_new
-                && stickler_exact::expected(signature, operands, *dialect)
+/// Adds the operands whose results documents print, in the dialects of which no source states a result of the others, so that they are shown
+/// without being asked for.
+fn add_documented(
+    calls: &mut [(Signature, Vec<CallOperands>)],
+    asserted: &[AssertedResult],
+    documented: &[(DialectName, CallOperands)],
+) {
+    for (signature, shown) in calls {
+        let is_stated = |dialect, operands: &CallOperands| {
+            let mut asserted = asserted.iter();
+            asserted.any(|one| one.dialect == dialect && one.operands == *operands)
+                || stickler_exact::expected(signature, operands, dialect)
                     .basis
-                    .is_none()
-            {
-                shown.push(operands.clone());
+                    .is_some()
+        };
+        let is_silent = |dialect| !shown.iter().any(|operands| is_stated(dialect, operands));
+        let printed = documented.iter();
+        let printed: Vec<CallOperands> = printed
+            .filter(|(dialect, operands)| signature.takes(operands) && is_silent(*dialect))
+            .map(|(_, operands)| operands.clone())
+            .collect();
+        for operands in printed {
+            if !shown.contains(&operands) {
+                shown.push(operands);
             }
         }
     }
