@@ -238,7 +238,7 @@ impl SourcesReader<'_> {
             }
         }
         let ends = [&entry.since, &entry.until];
-        let written = ends.into_iter().flatten().map(|end| end.span().start).last();
+        let written = ends.into_iter().flatten().map(|end| end.span().start).next_back();
         let [since, until] = [entry.since, entry.until].map(|end| end.map(Spanned::into_inner));
         let versions = Versions { since, until };
         if let Some((written, message)) = written.zip(versions.mistake()) {
