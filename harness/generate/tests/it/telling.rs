@@ -11,7 +11,7 @@ use stickler_generate::random::bytes;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The number of programs: a campaign makes as many in some seconds.
-const PROGRAMS: u64 = 9000;
+const PROGRAMS: u64 = 11_000;
 
 /// The number of programs that must show a mistake for it to count as found.
 const MIN_FOUND: usize = 6;
