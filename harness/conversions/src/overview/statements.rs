@@ -7,6 +7,7 @@
 mod builder;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
+use crate::contradictions::Contradictions;
 pub use builder::StatementsBuilder;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
@@ -31,6 +32,9 @@ pub struct Statements {
     /// The calls of which a vendor's page states another value than was recorded: the number of the call, the index of the dialect
     /// among all, the word of that value and the word of its basis.
     disputed: Vec<(usize, usize, u32, u32)>,
+    /// Where sources contradict each other.
+    #[serde(skip_serializing_if = "Contradictions::is_empty")]
+    pub contradictions: Contradictions,
     /// The number of the question of each case that asks one, by the id of the case.
     #[serde(skip)]
     questions: HashMap<Arc<str>, QuestionNumber>,

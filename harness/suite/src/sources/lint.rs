@@ -5,13 +5,20 @@ use std::collections::BTreeSet;
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
-use crate::{Case, Feature, Features};
+use crate::{Case, Feature, Features, StatedQuestion};
 
 impl Sources {
-    /// Returns a warning for each source and each rule that none of these cases names, and for each contradiction of what neither a
+    /// Returns a warning for each source and each rule that none of these cases and statements names, and for each contradiction of what neither a
     /// case claims nor a source promises of a feature.
-    pub(crate) fn unused(&self, cases: &[Case], features: &Features) -> Vec<CaseFileError> {
-        let cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
+    pub(crate) fn unused(
+        &self,
+        cases: &[Case],
+        features: &Features,
+        statements: &[StatedQuestion],
+    ) -> Vec<CaseFileError> {
+        let mut cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
+        let answers = statements.iter().flat_map(|question| &question.answers);
+        cited.extend(answers.flat_map(|(_, by)| by).map(String::as_str));
         let is_cited = |source: &Source| {
             cited
                 .iter()
