@@ -1,14 +1,20 @@
 //! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
 use crate::case_folder::CaseFolder;
+use crate::contradicted;
 use crate::output;
 use std::collections::BTreeSet;
+use stickler_conversions::contradictions::AskedQuestion;
 use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, StatementsBuilder};
 use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{DialectName, MatrixWord, Question, Value};
 
+/// The maximum number of contradictions on the page.
+const MAX_CONTRADICTIONS: usize = 300;
+
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
-/// boundary values of these functions; and what the recorded compilers of the folder answer. A folder or file of recordings that cannot be
+/// boundary values of these functions; what the recorded compilers of the folder answer, and where sources contradict each other on the questions of these cases,
+/// or of all where these are all. A folder or file of recordings that cannot be
 /// read is reported on stderr.
 pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statements {
     let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
@@ -26,7 +32,12 @@ pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statem
             Vec::new()
         }),
     };
-    builder.finish(&recordings)
+    let mut statements = builder.finish(&recordings);
+    let is_whole = cases.len() == suite.cases.len();
+    let gathered = contradicted::gather(cases, suite, &recordings);
+    let is_wanted = |asked: &AskedQuestion| is_whole || asked.case.is_some();
+    statements.contradictions = gathered.finish(MAX_CONTRADICTIONS, is_wanted);
+    statements
 }
 
 /// Returns what documents state about the conversions of all cases of a folder.

@@ -63,7 +63,7 @@ pub use model::{
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, ToldSymptom, address_of};
-pub use statements::StatedQuestion;
+pub use statements::SourceStatement;
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
 pub use unmarked::without_blank_lines;

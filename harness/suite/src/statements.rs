@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
 use stickler_types::{Question, Value};
 use toml::Spanned;
 
@@ -12,99 +11,69 @@ use crate::place::Lines;
 use crate::toml_text::{self, Strings};
 use crate::{SourceKind, Sources, files};
 
-/// The file of the statements, below the root of a suite.
-const STATEMENTS: &str = "statements.toml";
-
-/// A question with the answers of sources.
+/// The answer of a source to a question.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct StatedQuestion {
+pub struct SourceStatement {
     /// What is asked: the text of a [`Question`], or words.
     pub asks: String,
-    /// The answers, each with the bases that state it.
-    pub answers: Vec<(String, Vec<String>)>,
+    /// The answer.
+    pub answer: String,
+    /// The source and section that state it.
+    pub basis: String,
 }
 
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StatementsFile {
-    #[serde(default)]
-    question: Vec<QuestionEntry>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct QuestionEntry {
-    asks: Spanned<String>,
-    answers: BTreeMap<Spanned<String>, Strings>,
-}
+/// The answers to each question, and the bases of each answer.
+type StatementTables = BTreeMap<Spanned<String>, BTreeMap<Spanned<String>, Strings>>;
 
 /// Reads the statements of a suite and what is wrong with their file. A suite without the file has none.
-pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Vec<StatedQuestion>, Vec<CaseFileError>) {
-    root.read_own(STATEMENTS, |text| {
+pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Vec<SourceStatement>, Vec<CaseFileError>) {
+    root.read_own("statements.toml", |text| {
         let lines = Lines::new(text);
-        match toml_text::read::<StatementsFile>(text, 0, &lines) {
-            Ok(file) => checked(file, sources, &lines),
+        match toml_text::read(text, 0, &lines) {
+            Ok(tables) => checked(tables, sources, &lines),
             Err(mistake) => (Vec::new(), vec![mistake]),
         }
     })
 }
 
-fn checked(file: StatementsFile, sources: &Sources, lines: &Lines) -> (Vec<StatedQuestion>, Vec<Mistake>) {
-    let mut questions: Vec<StatedQuestion> = Vec::new();
+fn checked(
+    tables: StatementTables,
+    sources: &Sources,
+    lines: &Lines,
+) -> (Vec<SourceStatement>, Vec<Mistake>) {
+    let mut statements = Vec::new();
     let mut mistakes = Vec::new();
-    for QuestionEntry { asks, answers } in file.question {
-        let mut wrong = |at: usize, key: &str, message: String| {
-            mistakes.push(Mistake::new(lines.line(at), message).key(key));
-        };
-        let at = asks.span().start;
-        let asks = asks.into_inner();
-        if questions.iter().any(|known| known.asks == asks) {
-            wrong(
-                at,
-                "asks",
-                format!("`{asks}` is asked twice; write its answers in one place"),
-            );
-        }
-        let question = asks.parse::<Question>();
+    let mut wrong = |at: usize, message: String| mistakes.push(Mistake::new(lines.line(at), message));
+    for (asks, table) in toml_text::in_order(tables) {
+        let question = asks.get_ref().parse::<Question>();
         // The other answers to a question that cases ask are those of the cases.
-        if question.is_err() && answers.len() < 2 {
-            wrong(
-                at,
-                "answers",
-                "a question that no case asks needs two answers that differ".to_owned(),
-            );
+        if question.is_err() && table.len() < 2 {
+            let message = "no case asks this, so it needs two answers that differ";
+            wrong(asks.span().start, message.to_owned());
         }
-        let answers = toml_text::in_order(answers).into_iter().map(|(says, by)| {
-            let at = says.span().start;
-            let says = says.into_inner();
-            if matches!(question, Ok(Question::Call(_))) && Value::parse(&says).is_err() {
-                wrong(
-                    at,
-                    "answers",
-                    format!("`{says}` is no typed literal, which the answer to a call is"),
+        for (says, Strings(by)) in toml_text::in_order(table) {
+            if matches!(question, Ok(Question::Call(_))) && Value::parse(says.get_ref()).is_err() {
+                let message = format!(
+                    "`{}` is no typed literal, as the answer to a call is",
+                    says.get_ref()
                 );
+                wrong(says.span().start, message);
             }
-            if by.0.is_empty() {
-                wrong(
-                    at,
-                    "answers",
-                    format!("no source says `{says}`; name one, `source: section`"),
-                );
-            }
-            for basis in &by.0 {
+            for basis in by {
                 match sources.check(basis.get_ref()) {
                     Ok((source, _)) if source.kind == SourceKind::Rule => {
                         let message = format!("`{}` is Stickler's own, and no statement", basis.get_ref());
-                        wrong(basis.span().start, "answers", message);
+                        wrong(basis.span().start, message);
                     }
-                    Ok(_) => {}
-                    Err(message) => wrong(basis.span().start, "answers", message),
+                    Ok(_) => statements.push(SourceStatement {
+                        asks: asks.get_ref().clone(),
+                        answer: says.get_ref().clone(),
+                        basis: basis.into_inner(),
+                    }),
+                    Err(message) => wrong(basis.span().start, message),
                 }
             }
-            (says, by.0.into_iter().map(Spanned::into_inner).collect())
-        });
-        let answers = answers.collect();
-        questions.push(StatedQuestion { asks, answers });
+        }
     }
-    (questions, mistakes)
+    (statements, mistakes)
 }

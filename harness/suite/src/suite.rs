@@ -18,7 +18,7 @@ use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
-use crate::{Case, CaseFileError, Dialects, Features, Sources, StatedQuestion};
+use crate::{Case, CaseFileError, Dialects, Features, SourceStatement, Sources};
 use crate::{dialects, features, files, ident, places, single, sources, statements, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
@@ -39,7 +39,7 @@ pub struct Suite {
     /// The features of the language, from `features.toml`.
     pub features: Features,
     /// The answers of sources to questions that no case can ask, from `statements.toml`.
-    pub statements: Vec<StatedQuestion>,
+    pub statements: Vec<SourceStatement>,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }

@@ -4,12 +4,8 @@ use crate::arguments::ContradictionsArguments;
 use crate::case_folder::{self, CaseFolder};
 use crate::contradicted;
 use crate::exit::Exit;
-use crate::output;
 use std::io::Write;
 use stickler_conversions::contradictions::AskedQuestion;
-
-/// The maximum number of topics that are shown where not all are asked for.
-const MAX_TOPICS: usize = 40;
 
 /// Shows the contradictions of documents, recordings and measurements, the largest first. Asks no engine.
 ///
@@ -20,34 +16,20 @@ pub fn execute(arguments: &ContradictionsArguments, out: &mut dyn Write) -> anyh
     let suite = folder.load_with([]);
     let words: Vec<String> = arguments.words.iter().map(|word| word.to_lowercase()).collect();
     let is_wanted = |asked: &AskedQuestion| {
-        let AskedQuestion {
-            text,
-            kind,
-            case,
-            program,
-        } = asked;
-        let (case, program) = (
-            case.as_deref().unwrap_or_default(),
-            program.as_deref().unwrap_or_default(),
-        );
-        let all = format!("{text}\n{kind}\n{case}\n{program}").to_lowercase();
+        let of_case = [&asked.case, &asked.program].map(|text| text.as_deref().unwrap_or_default());
+        let all = [&asked.text, &*asked.kind, of_case[0], of_case[1]]
+            .join("\n")
+            .to_lowercase();
         words.iter().all(|word| all.contains(word))
     };
     let cases: Vec<_> = suite.cases.iter().collect();
-    let mut found = contradicted::gather(&cases, &suite, &folder.usable_recordings()?).finish(is_wanted);
-    if !arguments.all {
-        found.keep(MAX_TOPICS);
-    }
+    let most = if arguments.all { usize::MAX } else { 40 };
+    let found = contradicted::gather(&cases, &suite, &folder.usable_recordings()?).finish(most, is_wanted);
     if arguments.json {
         serde_json::to_writer(&mut *out, &found)?;
         writeln!(out)?;
     } else {
         found.write(out)?;
-        if found.topics.len() < found.number {
-            output::note(
-                "--all shows every contradiction, and a word such as REAL_TO_INT those of one function",
-            );
-        }
     }
     Ok(case_folder::exit_of(&suite))
 }

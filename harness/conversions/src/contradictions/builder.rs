@@ -1,17 +1,18 @@
 //! Gathers answers to questions, and groups those questions on which they differ.
 
-use super::{AnswerOrigin, Contradictions, Topic, TopicAnswer, kind_of};
+use super::kind::kind_of;
+use super::{AnswerOrigin, Contradictions, Topic};
 use crate::recording::Recording;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
-use stickler_types::{DialectName, WordTable};
+use stickler_types::{DialectName, Question};
 
 /// The maximum number of other questions that a topic names.
 const MAX_OTHERS: usize = 5;
 
 /// A question: what is asked, and how a person is told it.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct AskedQuestion {
     /// What is asked, in a line.
     pub text: String,
@@ -23,226 +24,141 @@ pub struct AskedQuestion {
     pub program: Option<Arc<str>>,
 }
 
-/// Gathers answers. Their order does not matter.
-#[derive(Default)]
-pub struct ContradictionsBuilder {
-    questions: Vec<GatheredQuestion>,
-    /// The index of a question by what is asked, letter by letter.
-    numbers: HashMap<Box<str>, usize>,
-    words: WordTable,
-    origins: Vec<(AnswerOrigin, Option<DialectName>)>,
-    origin_numbers: HashMap<(AnswerOrigin, Option<DialectName>), u32>,
-}
-
-struct GatheredQuestion {
-    asked: AskedQuestion,
-    answers: Vec<GivenAnswer>,
-}
-
-struct GivenAnswer {
-    origin: u32,
-    /// The word of the answer.
-    answer: u32,
-    /// The case that states it.
-    case: Option<Arc<str>>,
-}
-
-/// The words of the answers that each [speaker](ContradictionsBuilder::speaker) gives to a question.
-type Sides<'b> = BTreeMap<(&'b str, &'static str, Option<DialectName>), BTreeSet<u32>>;
-
-impl ContradictionsBuilder {
-    /// Returns the index of the question with this key, which is added where it is new.
-    pub fn question(&mut self, key: &str, asked: impl FnOnce() -> AskedQuestion) -> usize {
-        if let Some(number) = self.numbers.get(key) {
-            return *number;
-        }
-        let number = self.questions.len();
-        self.numbers.insert(key.into(), number);
-        self.questions.push(GatheredQuestion {
-            asked: asked(),
-            answers: Vec::new(),
-        });
-        number
-    }
-
-    /// Returns the number of an origin of answers in a dialect, which is added where it is new.
-    pub fn origin(&mut self, origin: AnswerOrigin, dialect: Option<DialectName>) -> u32 {
-        let next = u32::try_from(self.origins.len()).unwrap_or(u32::MAX);
-        let number = *self
-            .origin_numbers
-            .entry((origin.clone(), dialect))
-            .or_insert(next);
-        if number == next {
-            self.origins.push((origin, dialect));
-        }
-        number
-    }
-
-    /// Adds an answer to a question; `case` is the case that states it.
-    pub fn answer(&mut self, question: usize, origin: u32, answer: &str, case: Option<&Arc<str>>) {
-        let answer = self.words.number(answer);
-        self.questions[question].answers.push(GivenAnswer {
-            origin,
-            answer,
-            case: case.cloned(),
-        });
-    }
-
-    /// Adds the answers of a recording; `address` is that of its file.
-    pub fn recording(&mut self, recording: &Recording, address: &str) {
-        let origin = AnswerOrigin {
-            system: recording.origin.product.clone(),
-            kind: "recording",
-            source: format!("recording: {}", recording.name),
-            publisher: None,
-            read: format!("{}, {}", recording.origin.version, recording.origin.date),
-            address: address.to_owned(),
-        };
-        for (dialect, question, answer) in recording.answers() {
-            let origin = self.origin(origin.clone(), Some(dialect));
-            let text = question.to_string();
-            let number = self.question(&text, || AskedQuestion {
-                text: text.clone(),
-                kind: kind_of(&question),
-                case: None,
-                program: None,
-            });
-            self.answer(number, origin, &answer, None);
-        }
-    }
-
-    /// Returns the topics on which the answers differ. Where `is_wanted` refuses a question, it is left out.
+impl AskedQuestion {
+    /// Returns a question whose text says all, and which no case asks.
     #[must_use]
-    pub fn finish(mut self, is_wanted: impl Fn(&AskedQuestion) -> bool) -> Contradictions {
-        let mut questions = std::mem::take(&mut self.questions);
-        questions.retain_mut(|question| self.differs(question) && is_wanted(&question.asked));
-        questions.sort_by_cached_key(|question| {
-            let (answers, systems) = self.size(question);
-            let AskedQuestion { text, kind, case, .. } = &question.asked;
-            (
-                Reverse((answers, systems)),
-                text.len(),
-                text.clone(),
-                kind.clone(),
-                case.clone(),
-            )
-        });
-        let mut groups: Vec<(Sides<'_>, Vec<&GatheredQuestion>)> = Vec::new();
-        let mut of_kind: HashMap<&str, Vec<usize>> = HashMap::new();
-        for question in &questions {
-            let sides = self.sides(question);
-            let known = of_kind.entry(&question.asked.kind).or_default();
-            match known.iter().find(|group| part_alike(&groups[**group].0, &sides)) {
-                Some(group) => groups[*group].1.push(question),
-                None => {
-                    known.push(groups.len());
-                    groups.push((sides, vec![question]));
-                }
-            }
-        }
-        groups.sort_by_key(|(_, questions)| (Reverse(self.size(questions[0])), Reverse(questions.len())));
-        let mut cases = HashMap::new();
-        for (topic, (_, questions)) in groups.iter().enumerate() {
-            for given in &questions[0].answers {
-                if let (Some(case), Some(dialect)) = (&given.case, self.origins[given.origin as usize].1) {
-                    let answer = self.words.word(given.answer).to_owned();
-                    cases.insert((Arc::clone(case), dialect), (topic, answer));
-                }
-            }
-        }
-        let topics = groups.iter().map(|(_, questions)| self.topic(questions));
-        let topics: Vec<Topic> = topics.collect();
-        Contradictions {
-            number: topics.len(),
-            questions: questions.len(),
-            topics,
-            cases,
-        }
-    }
-
-    /// Returns whether the answers to a question differ, after those of origins were taken out that give several answers themselves: they
-    /// were asked more than the question says.
-    fn differs(&self, question: &mut GatheredQuestion) -> bool {
-        let first = question.answers.first().map(|given| given.answer);
-        if question.answers.iter().all(|given| Some(given.answer) == first) {
-            return false;
-        }
-        let mut of_origin: HashMap<(&AnswerOrigin, Option<DialectName>), BTreeSet<u32>> = HashMap::new();
-        let origin = |given: &GivenAnswer| {
-            let (origin, dialect) = &self.origins[given.origin as usize];
-            // The standard says the same in each dialect.
-            (origin, dialect.filter(|_| origin.kind != "standard"))
-        };
-        for given in &question.answers {
-            of_origin.entry(origin(given)).or_default().insert(given.answer);
-        }
-        question
-            .answers
-            .retain(|given| of_origin[&origin(given)].len() == 1);
-        self.size(question).0 > 1
-    }
-
-    /// Returns the numbers of different answers and of systems.
-    fn size(&self, question: &GatheredQuestion) -> (usize, usize) {
-        let answers: BTreeSet<u32> = question.answers.iter().map(|given| given.answer).collect();
-        let systems: BTreeSet<&str> = question
-            .answers
-            .iter()
-            .map(|given| self.speaker(given).0)
-            .collect();
-        (answers.len(), systems.len())
-    }
-
-    /// Returns who gives an answer: a system by its documents, or as it was recorded, in a dialect.
-    fn speaker(&self, given: &GivenAnswer) -> (&str, &'static str, Option<DialectName>) {
-        let (origin, dialect) = &self.origins[given.origin as usize];
-        (&origin.system, origin.kind, *dialect)
-    }
-
-    fn sides(&self, question: &GatheredQuestion) -> Sides<'_> {
-        let mut sides = Sides::new();
-        for given in &question.answers {
-            sides.entry(self.speaker(given)).or_default().insert(given.answer);
-        }
-        sides
-    }
-
-    /// Returns the topic of questions, the first of which is shown.
-    fn topic(&self, questions: &[&GatheredQuestion]) -> Topic {
-        let shown = questions[0];
-        let mut by_answer: BTreeMap<u32, BTreeSet<&AnswerOrigin>> = BTreeMap::new();
-        for given in &shown.answers {
-            let (origin, _) = &self.origins[given.origin as usize];
-            by_answer.entry(given.answer).or_default().insert(origin);
-        }
-        let answers = by_answer.into_iter().map(|(answer, by)| TopicAnswer {
-            answer: self.words.word(answer).to_owned(),
-            by: by.into_iter().cloned().collect(),
-        });
-        let mut answers: Vec<TopicAnswer> = answers.collect();
-        answers.sort_by(|a, b| (b.by.len(), &a.answer).cmp(&(a.by.len(), &b.answer)));
-        let others = questions[1..].iter().map(|question| question.asked.text.clone());
-        let AskedQuestion {
+    pub const fn new(text: String, kind: String) -> AskedQuestion {
+        let (case, program) = (None, None);
+        AskedQuestion {
             text,
             kind,
             case,
             program,
-            ..
-        } = shown.asked.clone();
-        Topic {
-            question: text,
-            kind,
-            case: case.map(|id| id.to_string()),
-            program: program.map(|text| text.to_string()),
-            answers,
-            systems: self.size(shown).1,
-            questions: questions.len(),
-            others: others.take(MAX_OTHERS).collect(),
         }
     }
 }
 
-/// Returns whether those who answer both questions part alike: whoever agrees on one agrees on the other, and at least two disagree.
+/// Gathers answers. Their order does not matter.
+#[derive(Default)]
+pub struct ContradictionsBuilder {
+    /// The questions with their answers, by what is asked, letter by letter.
+    questions: HashMap<String, (AskedQuestion, Vec<GivenAnswer>)>,
+}
+
+/// What an answer rests on, and the answer.
+type GivenAnswer = (Arc<AnswerOrigin>, String);
+
+/// By system, kind of source and dialect, the answers to a question.
+type Sides<'b> = BTreeMap<(&'b str, &'b str, Option<DialectName>), BTreeSet<&'b str>>;
+
+/// A question with its answers.
+type Answered<'b> = (&'b AskedQuestion, &'b [GivenAnswer], Sides<'b>);
+
+impl ContradictionsBuilder {
+    /// Adds an answer to the question of this key: a value, `accepted`, `rejected` …
+    pub fn add(&mut self, key: String, asked: AskedQuestion, (origin, answer): (&Arc<AnswerOrigin>, String)) {
+        let (_, answers) = self.questions.entry(key).or_insert((asked, Vec::new()));
+        answers.push((Arc::clone(origin), answer));
+    }
+
+    /// Adds an answer to a question, which `case` asks.
+    pub fn add_question(
+        &mut self,
+        question: &Question,
+        case: Option<&Arc<str>>,
+        given: (&Arc<AnswerOrigin>, String),
+    ) {
+        let case = case.cloned();
+        let asked = AskedQuestion::new(question.to_string(), kind_of(question));
+        self.add(asked.text.clone(), AskedQuestion { case, ..asked }, given);
+    }
+
+    /// Adds the answers of a recording; `address` is that of its file.
+    pub fn add_recording(&mut self, recording: &Recording, address: &str) {
+        let origin = &recording.origin;
+        for (dialect, question, answer) in recording.answers() {
+            let origin = Arc::new(AnswerOrigin {
+                system: origin.product.clone(),
+                kind: "recording".to_owned(),
+                source: format!("recording: {}", recording.name),
+                read: format!("{}, {}", origin.version, origin.date),
+                address: address.to_owned(),
+                dialect: Some(dialect),
+            });
+            self.add_question(&question, None, (&origin, answer));
+        }
+    }
+
+    /// Returns the topics on which the answers differ, the `most` largest of those questions that are wanted.
+    #[must_use]
+    pub fn finish(mut self, most: usize, is_wanted: impl Fn(&AskedQuestion) -> bool) -> Contradictions {
+        self.questions
+            .retain(|_, (asked, answers)| is_wanted(asked) && differ(answers));
+        let questions = self.questions.values();
+        let mut questions: Vec<Answered<'_>> = questions
+            .map(|(asked, answers)| (asked, &answers[..], sides_of(answers)))
+            .collect();
+        questions.sort_by_cached_key(|(asked, _, sides)| (Reverse(size(sides)), asked.text.len(), *asked));
+        let mut topics: Vec<Vec<&Answered<'_>>> = Vec::new();
+        let mut of_kind: HashMap<&str, Vec<usize>> = HashMap::new();
+        for question in &questions {
+            let known = of_kind.entry(&question.0.kind).or_default();
+            match known
+                .iter()
+                .find(|topic| part_alike(&topics[**topic][0].2, &question.2))
+            {
+                Some(topic) => topics[*topic].push(question),
+                None => {
+                    known.push(topics.len());
+                    topics.push(vec![question]);
+                }
+            }
+        }
+        topics.sort_by_key(|topic| (Reverse(size(&topic[0].2)), Reverse(topic.len())));
+        Contradictions {
+            number: topics.len(),
+            questions: questions.len(),
+            topics: topics.iter().take(most).map(|topic| topic_of(topic)).collect(),
+        }
+    }
+}
+
+/// Returns whether answers differ, after those of a source that gives several were taken out: it was asked more than the question says.
+fn differ(answers: &mut Vec<GivenAnswer>) -> bool {
+    let are_different = |answers: &[GivenAnswer]| answers.iter().any(|(_, answer)| *answer != answers[0].1);
+    if !are_different(answers) {
+        return false;
+    }
+    // The standard says the same in each dialect.
+    let speaker = |origin: &AnswerOrigin| {
+        let dialect = origin.dialect.filter(|_| !origin.kind.starts_with("standard"));
+        (origin.source.clone(), dialect)
+    };
+    let mut given: HashMap<_, BTreeSet<String>> = HashMap::new();
+    for (origin, answer) in &*answers {
+        given.entry(speaker(origin)).or_default().insert(answer.clone());
+    }
+    answers.retain(|(origin, _)| given[&speaker(origin)].len() == 1);
+    are_different(answers)
+}
+
+fn sides_of(answers: &[GivenAnswer]) -> Sides<'_> {
+    let mut sides = Sides::new();
+    for (origin, answer) in answers {
+        let speaker = (&*origin.system, &*origin.kind, origin.dialect);
+        sides.entry(speaker).or_default().insert(answer);
+    }
+    sides
+}
+
+/// Returns the numbers of different answers and of systems.
+fn size(sides: &Sides<'_>) -> (usize, usize) {
+    let answers: BTreeSet<_> = sides.values().flatten().collect();
+    let systems: BTreeSet<_> = sides.keys().map(|(system, ..)| system).collect();
+    (answers.len(), systems.len())
+}
+
+/// Returns whether those who answer both questions part alike: who agrees on one agrees on the other, and at least two disagree.
 fn part_alike(one: &Sides<'_>, other: &Sides<'_>) -> bool {
     let common = one
         .iter()
@@ -251,4 +167,31 @@ fn part_alike(one: &Sides<'_>, other: &Sides<'_>) -> bool {
     let firsts: BTreeSet<_> = pairs.iter().map(|(first, _)| first).collect();
     let seconds: BTreeSet<_> = pairs.iter().map(|(_, second)| second).collect();
     firsts.len() > 1 && firsts.len() == pairs.len() && seconds.len() == pairs.len()
+}
+
+/// Returns the topic of questions, the first of which is shown.
+fn topic_of(questions: &[&Answered<'_>]) -> Topic {
+    let (asked, given, sides) = questions[0];
+    let mut by_answer: BTreeMap<&str, BTreeSet<AnswerOrigin>> = BTreeMap::new();
+    for (origin, answer) in *given {
+        let mut origin = AnswerOrigin::clone(origin);
+        origin.dialect = None;
+        by_answer.entry(answer).or_default().insert(origin);
+    }
+    let mut answers = Vec::from_iter(by_answer);
+    answers.sort_by_key(|(_, by)| Reverse(by.len()));
+    let answers = answers.into_iter();
+    let others = questions[1..].iter().map(|(asked, ..)| asked.text.clone());
+    Topic {
+        question: asked.text.clone(),
+        kind: asked.kind.clone(),
+        case: asked.case.as_deref().map(str::to_owned),
+        program: asked.program.as_deref().map(str::to_owned),
+        answers: answers
+            .map(|(answer, by)| (answer.to_owned(), Vec::from_iter(by)))
+            .collect(),
+        systems: size(sides).1,
+        questions: questions.len(),
+        others: others.take(MAX_OTHERS).collect(),
+    }
 }

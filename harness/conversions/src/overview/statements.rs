@@ -33,7 +33,6 @@ pub struct Statements {
     /// among all, the word of that value and the word of its basis.
     disputed: Vec<(usize, usize, u32, u32)>,
     /// Where sources contradict each other.
-    #[serde(skip_serializing_if = "Contradictions::is_empty")]
     pub contradictions: Contradictions,
     /// The number of the question of each case that asks one, by the id of the case.
     #[serde(skip)]

@@ -1,63 +1,51 @@
 //! The answers of a recording as texts, each with its question.
 
 use super::{FunctionAnswers, RecordedSection, Recording};
-use crate::implicit::MatrixAnswer;
 use stickler_types::{ConversionCall, DialectName, ElementaryType, Question};
 
 impl Recording {
     /// Returns each question that the compiler answered with a value, with acceptance or with a rejection, in no order; no call that it
-    /// refused.
+    /// refused, which may be for its name.
     pub(crate) fn answers(&self) -> Vec<(DialectName, Question, String)> {
         let words = self
             .words
             .iter()
             .filter_map(|((dialect, (section, ty, other)), word)| {
-                let named = || Some((*ty, ElementaryType::from_name(other)?));
-                let (question, answer) = match section {
-                    RecordedSection::Implicit => (Question::Implicit(named()?), accepted(word)?),
-                    RecordedSection::Bits => (Question::Part(*ty, other.clone()), accepted(word)?),
-                    RecordedSection::Comparisons => (Question::Comparison(named()?), compared(word)?),
+                let pair = ElementaryType::from_name(other).map(|other| (*ty, other));
+                let question = match section {
+                    RecordedSection::Implicit => Question::Implicit(pair?),
+                    RecordedSection::Bits => Question::Part(*ty, other.clone()),
+                    RecordedSection::Comparisons => Question::Comparison(pair?),
                     RecordedSection::Functions => return None,
+                };
+                let answer = match *word {
+                    "accepts" | "warns" => "accepted",
+                    "rejects" | "rejected" => "rejected",
+                    "true" => "BOOL#TRUE",
+                    "false" => "BOOL#FALSE",
+                    _ => return None,
                 };
                 Some((*dialect, question, answer.to_owned()))
             });
-        let calls = self.functions.iter().flat_map(|((dialect, row), answers)| {
-            let function = row.split('(').next().unwrap_or_default();
-            let calls = match answers {
-                FunctionAnswers::Calls(calls) => &calls[..],
-                FunctionAnswers::Refused(_) => &[],
+        let mut answers: Vec<_> = words.collect();
+        for ((dialect, row), recorded) in &self.functions {
+            let (Some((function, _)), FunctionAnswers::Calls(calls)) = (row.split_once('('), recorded) else {
+                continue;
             };
-            let answer = move |(operands, value): &(Vec<_>, Result<stickler_types::Value, _>)| {
-                let value = value.as_ref().ok()?;
-                let call = ConversionCall {
-                    function: function.to_owned(),
-                    operands: operands.clone(),
-                    result: ElementaryType::from_name(value.type_name())?,
-                };
-                Some((*dialect, Question::Call(call), value.to_string()))
-            };
-            calls.iter().filter_map(answer)
-        });
-        words.chain(calls).collect()
-    }
-}
-
-/// Returns the answer of a word about the acceptance of a program; `None` where the compiler failed or had none.
-fn accepted(word: &str) -> Option<&'static str> {
-    match MatrixAnswer::from_word(word)? {
-        MatrixAnswer::Accepts => Some("accepted"),
-        MatrixAnswer::Warns => Some("accepted with a warning"),
-        MatrixAnswer::Rejects => Some("rejected"),
-        MatrixAnswer::Unsupported | MatrixAnswer::Fails => None,
-    }
-}
-
-/// Returns the answer of a word about a comparison.
-fn compared(word: &str) -> Option<&'static str> {
-    match word {
-        "true" => Some("BOOL#TRUE"),
-        "false" => Some("BOOL#FALSE"),
-        "rejected" => Some("rejected"),
-        _ => None,
+            for (operands, value) in calls {
+                if let Ok(value) = value
+                    && let Some(result) = ElementaryType::from_name(value.type_name())
+                {
+                    let (function, operands) = (function.to_owned(), operands.clone());
+                    let call = ConversionCall {
+                        function,
+                        operands,
+                        result,
+                    };
+                    answers.push((*dialect, Question::Call(call), value.to_string()));
+                }
+            }
+        }
+        answers
     }
 }
