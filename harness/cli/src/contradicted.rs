@@ -7,14 +7,19 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_conversions::contradictions::{AnswerOrigin, AskedQuestion, ContradictionsBuilder};
 use stickler_conversions::recording::Recording;
-use stickler_suite::{Acceptance, Case, Source, SourceKind, Suite};
+use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{DialectName, MatrixWord, Question};
 
 /// Returns the answers that these cases of a suite, its statements and the recordings have.
 pub fn gather(cases: &[&Case], suite: &Suite, recordings: &[Recording]) -> ContradictionsBuilder {
     let mut builder = ContradictionsBuilder::default();
     let mut origins = HashMap::new();
-    for case in cases.iter().filter(|case| states(case)) {
+    // A variant has options of its own, and a program of places asks about them too.
+    let states = |case: &&&Case| {
+        let is_variant = case.dialect.is_variant() || case.dialect.is_custom();
+        !is_variant && case.placement.is_none() && !case.is_open()
+    };
+    for case in cases.iter().filter(states) {
         let key = (&case.basis, case.dialect);
         let of_case = || origin(suite, &case.basis, Some(case.dialect));
         if let Some(origin) = origins.entry(key).or_insert_with(of_case) {
@@ -34,15 +39,9 @@ pub fn gather(cases: &[&Case], suite: &Suite, recordings: &[Recording]) -> Contr
     for recording in recordings {
         let source = suite.sources.get("recording");
         let address = source.map(|source| source.address_of(&recording.name));
-        builder.add_recording(recording, &address.unwrap_or_default());
+        recording.add_answers(&mut builder, &address.unwrap_or_default());
     }
     builder
-}
-
-/// Returns whether a case states something of its dialect as it is, and asks nothing else: neither with options nor about a place.
-fn states(case: &Case) -> bool {
-    let is_variant = case.dialect.is_variant() || case.dialect.is_custom();
-    !is_variant && case.placement.is_none() && !case.is_open()
 }
 
 /// Returns the origin of a basis in a dialect, or, of a statement, in the dialect for which its source speaks first; `None` where no source of
@@ -53,27 +52,28 @@ fn origin(suite: &Suite, basis: &str, dialect: Option<DialectName>) -> Option<Ar
     if source.kind == SourceKind::Rule || !speaks {
         return None;
     }
+    let is_standard = source.kind == SourceKind::Standard;
+    // What the standard says in the dialect of a vendor is what it says itself.
+    let dialect = dialect.filter(|dialect| !is_standard || source.dialects.contains(dialect));
     let dialect = dialect.or_else(|| source.dialects_of(section).first().copied());
+    let title = match dialect {
+        Some(dialect) => &dialect.rules().title,
+        None if is_standard => &source.key,
+        None => &source.publisher,
+    };
     let publisher = source.relation.map(|_| format!(" of {}", source.publisher));
     Some(Arc::new(AnswerOrigin {
-        system: system(source, dialect),
+        // The title of a dialect names its flavour behind a comma.
+        system: match title.split_once(',') {
+            Some((system, _)) if !is_standard => system.to_owned(),
+            _ => title.clone(),
+        },
         kind: source.kind.as_str().to_owned() + &publisher.unwrap_or_default(),
         source: basis.to_owned(),
         read: source.read_of(section).into_owned(),
         address: source.address_of(section),
         dialect,
     }))
-}
-
-/// Returns the system of which a source speaks in a dialect: the title of the dialect up to its flavour, of a standard the edition.
-fn system(source: &Source, dialect: Option<DialectName>) -> String {
-    if source.kind == SourceKind::Standard {
-        let edition = dialect.filter(|dialect| source.dialects.contains(dialect));
-        let edition = edition.or_else(|| source.dialects.first().copied());
-        return edition.map_or(source.key.clone(), |edition| edition.rules().title.clone());
-    }
-    let title = dialect.map_or(&source.publisher, |dialect| &dialect.rules().title);
-    title.split(',').next().unwrap_or_default().to_owned()
 }
 
 /// Adds what a case states: the answer to its question, or whether its program is accepted and what its variables hold.

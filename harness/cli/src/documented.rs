@@ -9,9 +9,6 @@ use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, 
 use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{DialectName, MatrixWord, Question, Value};
 
-/// The maximum number of contradictions on the page.
-const MAX_CONTRADICTIONS: usize = 300;
-
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
 /// boundary values of these functions; what the recorded compilers of the folder answer, and where sources contradict each other on the questions of these cases,
 /// or of all where these are all. A folder or file of recordings that cannot be
@@ -33,10 +30,11 @@ pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statem
         }),
     };
     let mut statements = builder.finish(&recordings);
+    // The page stays small; the command shows the rest.
     let is_whole = cases.len() == suite.cases.len();
     let gathered = contradicted::gather(cases, suite, &recordings);
     let is_wanted = |asked: &AskedQuestion| is_whole || asked.case.is_some();
-    statements.contradictions = gathered.finish(MAX_CONTRADICTIONS, is_wanted);
+    statements.contradictions = gathered.finish(300, is_wanted);
     statements
 }
 

@@ -7,7 +7,7 @@ mod builder;
 mod kind;
 mod write;
 
-pub use builder::{AskedQuestion, ContradictionsBuilder};
+pub use builder::{AskedQuestion, ContradictionsBuilder, NewAnswer};
 
 use serde::Serialize;
 use stickler_types::DialectName;

@@ -399,14 +399,16 @@ fn golden_contradictions() {
         for line in example.text("answers").lines() {
             let (question, rest) = line.split_once(" = ").unwrap();
             let (answer, by) = rest.strip_suffix(')').unwrap().split_once(" (").unwrap();
-            let by: Vec<String> = by.split(", ").map(str::to_owned).collect();
+            let by: Vec<&str> = by.split(", ").collect();
+            let [system, kind, source] = [0, 1, 2].map(|at| by[at].to_owned());
+            let (read, address, dialect) = ("1".to_owned(), "https://example.org".to_owned(), None);
             let origin = AnswerOrigin {
-                system: by[0].clone(),
-                kind: by[1].clone(),
-                source: by[2].clone(),
-                read: "1".to_owned(),
-                address: "https://example.org".to_owned(),
-                dialect: None,
+                system,
+                kind,
+                source,
+                read,
+                address,
+                dialect,
             };
             let given = (&Arc::new(origin), answer.to_owned());
             builder.add_question(&question.parse().unwrap(), None, given);

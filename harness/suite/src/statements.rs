@@ -48,8 +48,10 @@ fn checked(
         let question = asks.get_ref().parse::<Question>();
         // The other answers to a question that cases ask are those of the cases.
         if question.is_err() && table.len() < 2 {
-            let message = "no case asks this, so it needs two answers that differ";
-            wrong(asks.span().start, message.to_owned());
+            wrong(
+                asks.span().start,
+                "no case asks this; give two answers that differ".to_owned(),
+            );
         }
         for (says, Strings(by)) in toml_text::in_order(table) {
             if matches!(question, Ok(Question::Call(_))) && Value::parse(says.get_ref()).is_err() {
@@ -62,8 +64,10 @@ fn checked(
             for basis in by {
                 match sources.check(basis.get_ref()) {
                     Ok((source, _)) if source.kind == SourceKind::Rule => {
-                        let message = format!("`{}` is Stickler's own, and no statement", basis.get_ref());
-                        wrong(basis.span().start, message);
+                        wrong(
+                            basis.span().start,
+                            "a rule of Stickler's own is no statement".to_owned(),
+                        );
                     }
                     Ok(_) => statements.push(SourceStatement {
                         asks: asks.get_ref().clone(),

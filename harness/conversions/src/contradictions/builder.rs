@@ -2,7 +2,6 @@
 
 use super::kind::kind_of;
 use super::{AnswerOrigin, Contradictions, Topic};
-use crate::recording::Recording;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -46,6 +45,9 @@ pub struct ContradictionsBuilder {
 }
 
 /// What an answer rests on, and the answer.
+pub type NewAnswer<'o> = (&'o Arc<AnswerOrigin>, String);
+
+/// The same, kept.
 type GivenAnswer = (Arc<AnswerOrigin>, String);
 
 /// By system, kind of source and dialect, the answers to a question.
@@ -56,62 +58,36 @@ type Answered<'b> = (&'b AskedQuestion, &'b [GivenAnswer], Sides<'b>);
 
 impl ContradictionsBuilder {
     /// Adds an answer to the question of this key: a value, `accepted`, `rejected` …
-    pub fn add(&mut self, key: String, asked: AskedQuestion, (origin, answer): (&Arc<AnswerOrigin>, String)) {
+    pub fn add(&mut self, key: String, asked: AskedQuestion, (origin, answer): NewAnswer<'_>) {
         let (_, answers) = self.questions.entry(key).or_insert((asked, Vec::new()));
         answers.push((Arc::clone(origin), answer));
     }
 
     /// Adds an answer to a question, which `case` asks.
-    pub fn add_question(
-        &mut self,
-        question: &Question,
-        case: Option<&Arc<str>>,
-        given: (&Arc<AnswerOrigin>, String),
-    ) {
+    pub fn add_question(&mut self, question: &Question, case: Option<&Arc<str>>, given: NewAnswer<'_>) {
         let case = case.cloned();
         let asked = AskedQuestion::new(question.to_string(), kind_of(question));
         self.add(asked.text.clone(), AskedQuestion { case, ..asked }, given);
     }
 
-    /// Adds the answers of a recording; `address` is that of its file.
-    pub fn add_recording(&mut self, recording: &Recording, address: &str) {
-        let origin = &recording.origin;
-        for (dialect, question, answer) in recording.answers() {
-            let origin = Arc::new(AnswerOrigin {
-                system: origin.product.clone(),
-                kind: "recording".to_owned(),
-                source: format!("recording: {}", recording.name),
-                read: format!("{}, {}", origin.version, origin.date),
-                address: address.to_owned(),
-                dialect: Some(dialect),
-            });
-            self.add_question(&question, None, (&origin, answer));
-        }
-    }
-
     /// Returns the topics on which the answers differ, the `most` largest of those questions that are wanted.
     #[must_use]
     pub fn finish(mut self, most: usize, is_wanted: impl Fn(&AskedQuestion) -> bool) -> Contradictions {
-        self.questions
-            .retain(|_, (asked, answers)| is_wanted(asked) && differ(answers));
+        let is_kept = |(asked, answers): &mut (AskedQuestion, _)| is_wanted(asked) && differ(answers);
+        self.questions.retain(|_, question| is_kept(question));
         let questions = self.questions.values();
-        let mut questions: Vec<Answered<'_>> = questions
-            .map(|(asked, answers)| (asked, &answers[..], sides_of(answers)))
-            .collect();
+        let questions = questions.map(|(asked, answers)| (asked, &answers[..], sides_of(answers)));
+        let mut questions: Vec<Answered<'_>> = questions.collect();
         questions.sort_by_cached_key(|(asked, _, sides)| (Reverse(size(sides)), asked.text.len(), *asked));
         let mut topics: Vec<Vec<&Answered<'_>>> = Vec::new();
-        let mut of_kind: HashMap<&str, Vec<usize>> = HashMap::new();
         for question in &questions {
-            let known = of_kind.entry(&question.0.kind).or_default();
-            match known
-                .iter()
-                .find(|topic| part_alike(&topics[**topic][0].2, &question.2))
-            {
-                Some(topic) => topics[*topic].push(question),
-                None => {
-                    known.push(topics.len());
-                    topics.push(vec![question]);
-                }
+            let (asked, _, sides) = question;
+            let is_alike = |topic: &&mut Vec<&Answered<'_>>| {
+                topic[0].0.kind == asked.kind && part_alike(&topic[0].2, sides)
+            };
+            match topics.iter_mut().find(is_alike) {
+                Some(topic) => topic.push(question),
+                None => topics.push(vec![question]),
             }
         }
         topics.sort_by_key(|topic| (Reverse(size(&topic[0].2)), Reverse(topic.len())));
@@ -125,21 +101,11 @@ impl ContradictionsBuilder {
 
 /// Returns whether answers differ, after those of a source that gives several were taken out: it was asked more than the question says.
 fn differ(answers: &mut Vec<GivenAnswer>) -> bool {
-    let are_different = |answers: &[GivenAnswer]| answers.iter().any(|(_, answer)| *answer != answers[0].1);
-    if !are_different(answers) {
-        return false;
-    }
-    // The standard says the same in each dialect.
-    let speaker = |origin: &AnswerOrigin| {
-        let dialect = origin.dialect.filter(|_| !origin.kind.starts_with("standard"));
-        (origin.source.clone(), dialect)
-    };
-    let mut given: HashMap<_, BTreeSet<String>> = HashMap::new();
-    for (origin, answer) in &*answers {
-        given.entry(speaker(origin)).or_default().insert(answer.clone());
-    }
-    answers.retain(|(origin, _)| given[&speaker(origin)].len() == 1);
-    are_different(answers)
+    answers.sort_unstable();
+    answers.dedup();
+    let all = answers.clone();
+    answers.retain(|given| all.iter().all(|other| other.0 != given.0 || other.1 == given.1));
+    answers.iter().any(|(_, answer)| *answer != answers[0].1)
 }
 
 fn sides_of(answers: &[GivenAnswer]) -> Sides<'_> {
@@ -151,18 +117,33 @@ fn sides_of(answers: &[GivenAnswer]) -> Sides<'_> {
     sides
 }
 
-/// Returns the numbers of different answers and of systems.
+/// Returns how large a disagreement is: the number of pairs of systems with different answers, a system that contradicts itself counted as one;
+/// then the number of answers that documents and the standard give.
 fn size(sides: &Sides<'_>) -> (usize, usize) {
-    let answers: BTreeSet<_> = sides.values().flatten().collect();
-    let systems: BTreeSet<_> = sides.keys().map(|(system, ..)| system).collect();
-    (answers.len(), systems.len())
+    let systems: Vec<BTreeSet<&str>> = by_system(sides).into_values().collect();
+    let pairs = systems.iter().enumerate().map(|(at, answers)| {
+        let others = systems[at + 1..].iter().filter(|others| *others != answers);
+        others.count() + usize::from(answers.len() > 1)
+    });
+    // Neither a recording nor a measurement.
+    let stated = sides.keys().filter(|(_, kind, _)| kind.starts_with(['d', 's']));
+    (pairs.sum(), stated.count())
+}
+
+/// Returns the answers of each system, whatever its flavour or edition.
+fn by_system<'b>(sides: &Sides<'b>) -> BTreeMap<&'b str, BTreeSet<&'b str>> {
+    let mut systems: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for ((system, ..), answers) in sides {
+        let system = system.split(',').next().unwrap_or_default();
+        systems.entry(system).or_default().extend(answers);
+    }
+    systems
 }
 
 /// Returns whether those who answer both questions part alike: who agrees on one agrees on the other, and at least two disagree.
 fn part_alike(one: &Sides<'_>, other: &Sides<'_>) -> bool {
-    let common = one
-        .iter()
-        .filter_map(|(who, first)| Some((first, other.get(who)?)));
+    let common = one.iter();
+    let common = common.filter_map(|(who, first)| Some((first, other.get(who)?)));
     let pairs: BTreeSet<_> = common.collect();
     let firsts: BTreeSet<_> = pairs.iter().map(|(first, _)| first).collect();
     let seconds: BTreeSet<_> = pairs.iter().map(|(_, second)| second).collect();
@@ -178,19 +159,18 @@ fn topic_of(questions: &[&Answered<'_>]) -> Topic {
         origin.dialect = None;
         by_answer.entry(answer).or_default().insert(origin);
     }
-    let mut answers = Vec::from_iter(by_answer);
+    let answers = by_answer.into_iter();
+    let answers = answers.map(|(answer, by)| (answer.to_owned(), Vec::from_iter(by)));
+    let mut answers = Vec::from_iter(answers);
     answers.sort_by_key(|(_, by)| Reverse(by.len()));
-    let answers = answers.into_iter();
     let others = questions[1..].iter().map(|(asked, ..)| asked.text.clone());
     Topic {
         question: asked.text.clone(),
         kind: asked.kind.clone(),
         case: asked.case.as_deref().map(str::to_owned),
         program: asked.program.as_deref().map(str::to_owned),
-        answers: answers
-            .map(|(answer, by)| (answer.to_owned(), Vec::from_iter(by)))
-            .collect(),
-        systems: size(sides).1,
+        answers,
+        systems: by_system(sides).len(),
         questions: questions.len(),
         others: others.take(MAX_OTHERS).collect(),
     }

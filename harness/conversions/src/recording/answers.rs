@@ -1,51 +1,63 @@
-//! The answers of a recording as texts, each with its question.
+//! The answers of a recording, to be compared with those of sources.
 
-use super::{FunctionAnswers, RecordedSection, Recording};
-use stickler_types::{ConversionCall, DialectName, ElementaryType, Question};
+use super::{FunctionAnswers, RecordedSection, Recording, RecordingOrigin};
+use crate::contradictions::{AnswerOrigin, ContradictionsBuilder};
+use std::sync::Arc;
+use stickler_types::{ConversionCall, ElementaryType, Question};
 
 impl Recording {
-    /// Returns each question that the compiler answered with a value, with acceptance or with a rejection, in no order; no call that it
-    /// refused, which may be for its name.
-    pub(crate) fn answers(&self) -> Vec<(DialectName, Question, String)> {
-        let words = self
-            .words
-            .iter()
-            .filter_map(|((dialect, (section, ty, other)), word)| {
-                let pair = ElementaryType::from_name(other).map(|other| (*ty, other));
-                let question = match section {
-                    RecordedSection::Implicit => Question::Implicit(pair?),
-                    RecordedSection::Bits => Question::Part(*ty, other.clone()),
-                    RecordedSection::Comparisons => Question::Comparison(pair?),
-                    RecordedSection::Functions => return None,
-                };
-                let answer = match *word {
-                    "accepts" | "warns" => "accepted",
-                    "rejects" | "rejected" => "rejected",
-                    "true" => "BOOL#TRUE",
-                    "false" => "BOOL#FALSE",
-                    _ => return None,
-                };
-                Some((*dialect, question, answer.to_owned()))
-            });
-        let mut answers: Vec<_> = words.collect();
-        for ((dialect, row), recorded) in &self.functions {
-            let (Some((function, _)), FunctionAnswers::Calls(calls)) = (row.split_once('('), recorded) else {
+    /// Adds what the compiler answered with a value, with acceptance or with a rejection; no call that it refused, which may be for its name.
+    /// `address` is that of the file.
+    pub fn add_answers(&self, builder: &mut ContradictionsBuilder, address: &str) {
+        let RecordingOrigin {
+            product,
+            version,
+            date,
+            ..
+        } = &self.origin;
+        let origin = |dialect| {
+            Arc::new(AnswerOrigin {
+                system: product.clone(),
+                kind: "recording".to_owned(),
+                source: format!("recording: {}", self.name),
+                read: format!("{version}, {date}"),
+                address: address.to_owned(),
+                dialect: Some(dialect),
+            })
+        };
+        for ((dialect, (section, ty, other)), word) in &self.words {
+            let answer = match *word {
+                "accepts" | "warns" => "accepted",
+                "rejects" | "rejected" => "rejected",
+                "true" => "BOOL#TRUE",
+                "false" => "BOOL#FALSE",
+                _ => continue,
+            };
+            let question = match (section, ElementaryType::from_name(other)) {
+                (RecordedSection::Bits, _) => Question::Part(*ty, other.clone()),
+                (RecordedSection::Implicit, Some(into)) => Question::Implicit((*ty, into)),
+                (RecordedSection::Comparisons, Some(right)) => Question::Comparison((*ty, right)),
+                _ => continue,
+            };
+            builder.add_question(&question, None, (&origin(*dialect), answer.to_owned()));
+        }
+        for ((dialect, row), answers) in &self.functions {
+            let FunctionAnswers::Calls(calls) = answers else {
                 continue;
             };
+            let function = row.split('(').next().unwrap_or_default();
             for (operands, value) in calls {
-                if let Ok(value) = value
-                    && let Some(result) = ElementaryType::from_name(value.type_name())
-                {
+                let Ok(value) = value else { continue };
+                if let Some(result) = ElementaryType::from_name(value.type_name()) {
                     let (function, operands) = (function.to_owned(), operands.clone());
-                    let call = ConversionCall {
+                    let call = Question::Call(ConversionCall {
                         function,
                         operands,
                         result,
-                    };
-                    answers.push((*dialect, Question::Call(call), value.to_string()));
+                    });
+                    builder.add_question(&call, None, (&origin(*dialect), value.to_string()));
                 }
             }
         }
-        answers
     }
 }

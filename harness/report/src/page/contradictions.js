@@ -49,7 +49,7 @@ function contradiction(topic, number) {
     el("h3", {}, `${number}. `, asked === null || !asked.address ? title : link(asked.address, title)),
     el("p.dim", {}, `${readable(topic.kind)}: ${counted(stated.length, "answer", "answers")}, ${counted(topic.systems, "system", "systems")}${more}`),
     topic.program ? opening("Program", () => el("pre", {}, topic.program), false) : null,
-    table(topic.question, ["answer", "by"], rows));
+    table("Answers", ["answer", "by"], rows));
 }
 
 /** Returns who gives an answer, with a link to where. */
