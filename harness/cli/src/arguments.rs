@@ -17,7 +17,7 @@ mod site;
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
 pub use completions::CompletionsArguments;
-pub use conversions::{ConversionsArguments, MatrixArguments, SweepArguments};
+pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArguments, SweepArguments};
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
@@ -92,6 +92,9 @@ pub enum Command {
     /// Show what a conversion function gives for boundary values, dialects side by side
     #[command(after_help = include_str!("arguments/examples/conversions.txt"))]
     Conversions(ConversionsArguments),
+    /// Show where documents, editions of the standard, recordings and compilers give different answers to one question
+    #[command(after_help = include_str!("arguments/examples/contradictions.txt"))]
+    Contradictions(ContradictionsArguments),
     /// Write a file with the conversions of an engine, to be shown where the engine is not at hand
     #[command(after_help = include_str!("arguments/examples/record.txt"))]
     Record(RecordArguments),

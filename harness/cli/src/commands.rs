@@ -4,6 +4,7 @@ mod bless;
 mod check;
 mod compare;
 mod completions;
+mod contradictions;
 mod conversions;
 mod engine;
 mod engines;
@@ -51,6 +52,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Engines(arguments) => engines::execute(&arguments, out),
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
+        Command::Contradictions(arguments) => contradictions::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
         Command::Record(arguments) => record::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),

@@ -1,14 +1,17 @@
 //! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
 use crate::case_folder::CaseFolder;
+use crate::contradicted;
 use crate::output;
 use std::collections::BTreeSet;
+use stickler_conversions::contradictions::AskedQuestion;
 use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, StatementsBuilder};
 use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{DialectName, MatrixWord, Question, Value};
 
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
-/// boundary values of these functions; and what the recorded compilers of the folder answer. A folder or file of recordings that cannot be
+/// boundary values of these functions; what the recorded compilers of the folder answer, and where sources contradict each other on the questions of these cases,
+/// or of all where these are all. A folder or file of recordings that cannot be
 /// read is reported on stderr.
 pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statements {
     let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
@@ -32,6 +35,11 @@ pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statem
         .iter()
         .flat_map(|source| source.printed.clone())
         .collect();
+    // The page stays small; the command shows the rest.
+    let is_whole = cases.len() == suite.cases.len();
+    let gathered = contradicted::gather(cases, suite, &recordings);
+    let is_wanted = |asked: &AskedQuestion| is_whole || asked.case.is_some();
+    statements.contradictions = gathered.finish(300, is_wanted);
     statements
 }
 

@@ -14,6 +14,7 @@ mod carried_cases;
 mod case_folder;
 mod cause_stage;
 mod commands;
+mod contradicted;
 mod documented;
 mod engines;
 mod exit;

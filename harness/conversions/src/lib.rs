@@ -8,6 +8,7 @@
 //! Architecture Invariant: this crate knows no command line, and opens no engine.
 #![forbid(unsafe_code)]
 
+pub mod contradictions;
 mod functions;
 pub mod implicit;
 mod literals;

@@ -4,6 +4,7 @@
 //! [`Recording::ask`] asks an engine, and a [`RecordingBuilder`] takes what a person copied out of an editor; [`Recording::write`]
 //! writes the file, and [`Recording::parse`] reads it. [`all_questions`] are what is asked, in the programs of [`program_of`].
 
+mod answers;
 mod ask;
 mod imported;
 mod parse;

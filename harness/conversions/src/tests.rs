@@ -1,5 +1,6 @@
 //! The parts of this crate one by one: each makes texts of texts, which stand in files in `tests/examples`.
 
+use crate::contradictions::{AnswerOrigin, ContradictionsBuilder};
 use crate::functions::{dialect_list, find_function};
 use crate::implicit::{self, MatrixAnswer};
 use crate::literals::{has_literal, literal, power_of_two};
@@ -387,5 +388,33 @@ fn golden_statements() {
             .map(shown)
             .collect::<Vec<_>>()
             .join("\n")
+    });
+}
+
+/// Shows the topics of answers, whose lines are `question = answer (system, kind, source)`.
+#[test]
+fn golden_contradictions() {
+    check_examples("tests/examples/contradictions.md", |example| {
+        let mut builder = ContradictionsBuilder::default();
+        for line in example.text("answers").lines() {
+            let (question, rest) = line.split_once(" = ").unwrap();
+            let (answer, by) = rest.strip_suffix(')').unwrap().split_once(" (").unwrap();
+            let by: Vec<&str> = by.split(", ").collect();
+            let [system, kind, source] = [0, 1, 2].map(|at| by[at].to_owned());
+            let (read, address, dialect) = ("1".to_owned(), "https://example.org".to_owned(), None);
+            let origin = AnswerOrigin {
+                system,
+                kind,
+                source,
+                read,
+                address,
+                dialect,
+            };
+            let given = (&Arc::new(origin), answer.to_owned());
+            builder.add_question(&question.parse().unwrap(), None, given);
+        }
+        let mut text = Vec::new();
+        builder.finish(usize::MAX, |_| true).write(&mut text).unwrap();
+        String::from_utf8(text).unwrap()
     });
 }

@@ -7,7 +7,7 @@
 //! | element | data |
 //! |---|---|
 //! | `run` | header, totals, claims, causes, observations on which engines disagree: small, read at once |
-//! | `conversions` | what documents state about conversions and recorded compilers answered, which the caller hands over, and what engines answered: read when it is shown |
+//! | `conversions` | what documents state about conversions, what recorded compilers answered and where sources contradict each other, which the caller hands over, and what engines answered: read when it is shown |
 //! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases; missing in the page of a site, which has the newest run of each engine |
 
 mod answers;

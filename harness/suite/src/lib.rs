@@ -42,6 +42,7 @@ mod program;
 mod scan;
 mod single;
 mod sources;
+mod statements;
 mod suite;
 mod table;
 mod template;
@@ -62,6 +63,7 @@ pub use model::{
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, ToldSymptom, address_of};
+pub use statements::SourceStatement;
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
 pub use unmarked::without_blank_lines;

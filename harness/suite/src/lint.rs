@@ -43,7 +43,7 @@ impl Suite {
         let errors = self.errors.iter().map(finding(LintSeverity::Error));
         // Where something else is wrong, that may be the reason.
         let unused = match self.errors.is_empty() && self.remarks.is_empty() {
-            true => self.sources.unused(&self.cases, &self.features),
+            true => self.sources.unused(self),
             false => Vec::new(),
         };
         let warnings = self

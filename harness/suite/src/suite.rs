@@ -18,8 +18,8 @@ use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
-use crate::{Case, CaseFileError, Dialects, Features, Sources};
-use crate::{dialects, features, files, ident, places, single, sources, table, toml_text};
+use crate::{Case, CaseFileError, Dialects, Features, SourceStatement, Sources};
+use crate::{dialects, features, files, ident, places, single, sources, statements, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +38,8 @@ pub struct Suite {
     pub places: Places,
     /// The features of the language, from `features.toml`.
     pub features: Features,
+    /// The answers of sources to questions that no case can ask, from `statements.toml`.
+    pub statements: Vec<SourceStatement>,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -102,6 +104,9 @@ impl Suite {
         let sources = read.sources;
         let (features, errors) = features::read(&root, &sources, &suite.dialects);
         suite.errors.extend(errors);
+        let (statements, errors) = statements::read(&root, &sources);
+        suite.errors.extend(errors);
+        suite.statements = statements;
         let type_names = TypeNames::default();
         listing
             .files

@@ -1,4 +1,4 @@
-//! The command lines of `stickler matrix`, `stickler conversions` and `stickler sweep`.
+//! The command lines of `stickler matrix`, `stickler conversions`, `stickler contradictions` and `stickler sweep`.
 
 use super::dialects;
 use super::numbers::whole;
@@ -45,6 +45,23 @@ pub struct ConversionsArguments {
     /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
     #[arg(long)]
     pub recorded: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stickler contradictions`.
+#[derive(Args, Debug)]
+pub struct ContradictionsArguments {
+    /// Only questions in whose text, case or program each of these words stands, such as REAL_TO_INT or LIMIT [default: all]
+    #[arg(value_name = "WORD", allow_negative_numbers = true)]
+    pub words: Vec<String>,
+    /// Show every contradiction [default: the 40 largest]
+    #[arg(long)]
+    pub all: bool,
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

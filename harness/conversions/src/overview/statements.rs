@@ -7,6 +7,7 @@
 mod builder;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
+use crate::contradictions::Contradictions;
 pub use builder::StatementsBuilder;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
@@ -34,6 +35,8 @@ pub struct Statements {
     /// What sources print of calls that no case makes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub printed: Vec<PrintedResult>,
+    /// Where sources contradict each other.
+    pub contradictions: Contradictions,
     /// The number of the question of each case that asks one, by the id of the case.
     #[serde(skip)]
     questions: HashMap<Arc<str>, QuestionNumber>,

@@ -4,7 +4,7 @@
 pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// The scripts. Each file declares functions; the last one runs them.
-pub(super) const SCRIPTS: [&str; 15] = [
+pub(super) const SCRIPTS: [&str; 16] = [
     include_str!("dom.js"),
     include_str!("address.js"),
     include_str!("data.js"),
@@ -14,6 +14,7 @@ pub(super) const SCRIPTS: [&str; 15] = [
     include_str!("plots.js"),
     include_str!("matrices.js"),
     include_str!("bits.js"),
+    include_str!("contradictions.js"),
     include_str!("claims.js"),
     include_str!("causes.js"),
     include_str!("cases.js"),

@@ -7,6 +7,7 @@ const VIEWS = [
   { name: "convert", label: null, current: "explorer", show: showExplorer },
   { name: "matrix", label: "Matrices", show: showMatrices },
   { name: "bits", label: "Bits", show: showBits },
+  { name: "contradictions", label: "Contradictions", show: showContradictions },
   { name: "claims", label: "Claims", show: showClaims, of: "run" },
   { name: "causes", label: "Causes", show: showCauses, of: "run" },
   { name: "cases", label: "Cases", show: showCases, of: "run" },

@@ -13,7 +13,8 @@ pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> Stri
         true => "",
         false => {
             "<p><a href=\"functions/index.html\">Conversion functions</a>: what each gives for which value, by documents, on engines and \
-             on recorded compilers.</p>\n"
+             on recorded compilers.</p>\n<p><a href=\"functions/index.html#contradictions\">Contradictions</a>: where sources give different \
+             answers to one question.</p>\n"
         }
     };
     let body = format!(

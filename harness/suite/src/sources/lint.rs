@@ -5,13 +5,15 @@ use std::collections::BTreeSet;
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
-use crate::{Case, Feature, Features};
+use crate::{Case, Feature, Suite};
 
 impl Sources {
-    /// Returns a warning for each source and each rule that none of these cases names, for each contradiction of what neither a
+    /// Returns a warning for each source and each rule that no case and no statement of a suite names, for each contradiction of what neither a
     /// case claims nor a source promises of a feature, and for each printed example [without a case](Self::without_case).
-    pub(crate) fn unused(&self, cases: &[Case], features: &Features) -> Vec<CaseFileError> {
-        let cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
+    pub(crate) fn unused(&self, suite: &Suite) -> Vec<CaseFileError> {
+        let (cases, features) = (&suite.cases, &suite.features);
+        let mut cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
+        cited.extend(suite.statements.iter().map(|stated| stated.basis.as_str()));
         let is_cited = |source: &Source| {
             cited
                 .iter()
