@@ -13,7 +13,7 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_suite::SourceKind;
+use stickler_suite::{SourceKind, Suite};
 use stickler_types::{DialectName, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
@@ -38,10 +38,9 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         add_printed(&mut calls, &known);
     }
     let Known {
+        suite,
         asserted,
         recordings,
-        contradictions,
-        ..
     } = known;
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
@@ -68,9 +67,10 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             lacking: &lacking,
             engines: &identities,
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
+            attributed: &|basis| documented::attributed(&suite, basis),
         };
         page.write(out)?;
-        for told in &contradictions {
+        for told in documented::contradictions(&suite, &function, &having) {
             writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
         }
     }
@@ -85,14 +85,12 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
 /// What the folder of cases holds on a function.
 #[derive(Default)]
 struct Known {
+    /// The sources, and the cases that mention the function.
+    suite: Suite,
     /// The results that cases assert.
     asserted: Vec<AssertedResult>,
-    /// The operands of those of them that rest on a document, with the dialect.
-    printed: Vec<(DialectName, CallOperands)>,
     /// The recordings of compilers.
     recordings: Vec<Recording>,
-    /// The statements of sources against others of the same system.
-    contradictions: Vec<String>,
 }
 
 /// Returns what the folder of cases holds on a function, where there is one.
@@ -115,17 +113,10 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
-    let asserted = documented::asserted_results(&suite, function);
-    let is_printed = |one: &&AssertedResult| {
-        let source = suite.sources.of(&one.basis);
-        source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
-    };
-    let printed = asserted.iter().filter(is_printed);
     Ok(Known {
-        printed: printed.map(|one| (one.dialect, one.operands.clone())).collect(),
-        asserted,
+        asserted: documented::asserted_results(&suite, function),
+        suite,
         recordings,
-        contradictions: documented::contradictions(&suite, function),
     })
 }
 
@@ -141,10 +132,14 @@ fn add_printed(calls: &mut [(Signature, Vec<CallOperands>)], known: &Known) {
                     .is_some()
         };
         let is_silent = |dialect| !shown.iter().any(|operands| is_stated(dialect, operands));
-        let printed = known.printed.iter();
+        let is_printed = |one: &&AssertedResult| {
+            let source = known.suite.sources.of(&one.basis);
+            source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
+        };
+        let printed = known.asserted.iter().filter(is_printed);
         let printed: Vec<CallOperands> = printed
-            .filter(|(dialect, operands)| signature.takes(operands) && is_silent(*dialect))
-            .map(|(_, operands)| operands.clone())
+            .filter(|one| signature.takes(&one.operands) && is_silent(one.dialect))
+            .map(|one| one.operands.clone())
             .collect();
         for operands in printed {
             if !shown.contains(&operands) {
