@@ -6,8 +6,8 @@ use crate::output;
 use std::collections::BTreeSet;
 use stickler_conversions::contradictions::AskedQuestion;
 use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, StatementsBuilder};
-use stickler_suite::{Acceptance, Case, SourceKind, Suite};
-use stickler_types::{DialectName, MatrixWord, Question, Value};
+use stickler_suite::{Acceptance, Case, Source, SourceKind, Suite};
+use stickler_types::{Contradiction, DialectName, MatrixWord, Question, Value};
 
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
 /// boundary values of these functions; what the recorded compilers of the folder answer, and where sources contradict each other on the questions of these cases,
@@ -98,27 +98,44 @@ fn asserted_value(case: &Case) -> Option<&Value> {
     }
 }
 
-/// Returns a basis, with the product and version that its source recorded or measured, or with the publisher of a document who is not the maker.
+/// Returns a basis, with the product and version that its source recorded or measured.
 fn with_product(suite: &Suite, basis: &str) -> String {
-    let Some((source, section)) = suite.sources.of(basis) else {
-        return basis.to_owned();
-    };
-    match (source.kind, source.relation) {
-        (SourceKind::Recording | SourceKind::Measurement, _) => {
+    match suite.sources.of(basis) {
+        Some((source, section)) if matches!(source.kind, SourceKind::Recording | SourceKind::Measurement) => {
             format!("{basis} ({}: {})", source.kind.as_str(), source.read_of(section))
         }
-        (_, Some(relation)) => format!("{basis} ({relation}: {})", source.publisher),
-        (_, None) => basis.to_owned(),
+        _ => basis.to_owned(),
     }
 }
 
-/// Returns what sources state of a conversion function that other sources of the same system contradict: the basis, and the statement.
-pub fn contradictions(suite: &Suite, function: &str) -> Vec<String> {
+/// Returns a basis, with the publisher of a document who is not the maker.
+pub fn attributed(suite: &Suite, basis: &str) -> String {
+    match suite.sources.of(basis) {
+        Some((
+            Source {
+                kind: SourceKind::Document,
+                relation: Some(relation),
+                publisher,
+                ..
+            },
+            _,
+        )) => {
+            format!("{basis} ({relation}: {publisher})")
+        }
+        _ => basis.to_owned(),
+    }
+}
+
+/// Returns what sources of these dialects state of a conversion function that other sources of the same system contradict: the basis, and the statement.
+pub fn contradictions(suite: &Suite, function: &str, dialects: &[DialectName]) -> Vec<String> {
     let told = suite.sources.iter().flat_map(|source| {
         let names = |text: &String| text.trim_matches(['(', ',']).eq_ignore_ascii_case(function);
+        let is_shown =
+            |told: &&Contradiction| dialects.iter().any(|of| source.speaks_for(&told.section, *of));
         let of_function = source
             .contradicts
             .iter()
+            .filter(is_shown)
             .filter(move |told| told.only.iter().any(names));
         of_function.map(|told| format!("{}: {} {}", source.key, told.section, told.says))
     });

@@ -13,7 +13,7 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_suite::SourceKind;
+use stickler_suite::{SourceKind, Suite};
 use stickler_types::{DialectName, PrintedResult, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
@@ -29,18 +29,17 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         return Ok(Exit::AsExpected);
     };
     let function = function.to_ascii_uppercase();
-    let Known {
-        asserted,
-        documented,
-        recordings,
-        contradictions,
-        printed,
-    } = known(arguments, &function)?;
+    let known = known(arguments, &function)?;
     let found = find_function(&function, &arguments.dialect);
-    if matches!(found, Err(NoSuchFunction::Anywhere { .. })) && !printed.is_empty() && !arguments.json {
+    let is_printed = !known.printed.is_empty() && !arguments.json;
+    if matches!(found, Err(NoSuchFunction::Anywhere { .. })) && is_printed {
         let page = OverviewPage {
-            printed: &printed,
-            ..OverviewPage::default()
+            results: &[],
+            printed: &known.printed,
+            lacking: &[],
+            engines: &[],
+            only_reference: true,
+            attributed: &|basis| documented::attributed(&known.suite, basis),
         };
         page.write(out)?;
         return Ok(Exit::AsExpected);
@@ -50,8 +49,14 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     if arguments.values.is_empty() {
-        add_documented(&mut calls, &asserted, &documented);
+        add_documented(&mut calls, &known);
     }
+    let Known {
+        suite,
+        asserted,
+        recordings,
+        printed,
+    } = known;
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -78,9 +83,10 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             lacking: &lacking,
             engines: &identities,
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
+            attributed: &|basis| documented::attributed(&suite, basis),
         };
         page.write(out)?;
-        for told in &contradictions {
+        for told in documented::contradictions(&suite, &function, &having) {
             writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
         }
     }
@@ -95,14 +101,12 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
 /// What the folder of cases holds on a function.
 #[derive(Default)]
 struct Known {
+    /// The sources, and the cases that mention the function.
+    suite: Suite,
     /// The results that cases assert.
     asserted: Vec<AssertedResult>,
-    /// The operands of those of them that rest on a document, with the dialect.
-    documented: Vec<(DialectName, CallOperands)>,
     /// The recordings of compilers.
     recordings: Vec<Recording>,
-    /// The statements of sources against others of the same system.
-    contradictions: Vec<String>,
     /// What sources print of it without a case.
     printed: Vec<PrintedResult>,
 }
@@ -127,45 +131,36 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
-    let asserted = documented::asserted_results(&suite, function);
-    let is_documented = |one: &&AssertedResult| {
-        let source = suite.sources.of(&one.basis);
-        source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
-    };
-    let documented = asserted.iter().filter(is_documented);
     let is_asked = |printed: &&PrintedResult| printed.call.split('(').next() == Some(function);
     let printed = suite.sources.iter().flat_map(|source| &source.printed);
     Ok(Known {
-        documented: documented
-            .map(|one| (one.dialect, one.operands.clone()))
-            .collect(),
-        asserted,
-        recordings,
-        contradictions: documented::contradictions(&suite, function),
         printed: printed.filter(is_asked).cloned().collect(),
+        asserted: documented::asserted_results(&suite, function),
+        suite,
+        recordings,
     })
 }
 
 /// Adds the operands whose results documents print, in the dialects of which no source states a result of the others, so that they are shown
 /// without being asked for.
-fn add_documented(
-    calls: &mut [(Signature, Vec<CallOperands>)],
-    asserted: &[AssertedResult],
-    documented: &[(DialectName, CallOperands)],
-) {
+fn add_documented(calls: &mut [(Signature, Vec<CallOperands>)], known: &Known) {
     for (signature, shown) in calls {
         let is_stated = |dialect, operands: &CallOperands| {
-            let mut asserted = asserted.iter();
+            let mut asserted = known.asserted.iter();
             asserted.any(|one| one.dialect == dialect && one.operands == *operands)
                 || stickler_exact::expected(signature, operands, dialect)
                     .basis
                     .is_some()
         };
         let is_silent = |dialect| !shown.iter().any(|operands| is_stated(dialect, operands));
-        let printed = documented.iter();
-        let printed: Vec<CallOperands> = printed
-            .filter(|(dialect, operands)| signature.takes(operands) && is_silent(*dialect))
-            .map(|(_, operands)| operands.clone())
+        let is_documented = |one: &&AssertedResult| {
+            let source = known.suite.sources.of(&one.basis);
+            source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
+        };
+        let documented = known.asserted.iter().filter(is_documented);
+        let printed: Vec<CallOperands> = documented
+            .filter(|one| signature.takes(&one.operands) && is_silent(one.dialect))
+            .map(|one| one.operands.clone())
             .collect();
         for operands in printed {
             if !shown.contains(&operands) {

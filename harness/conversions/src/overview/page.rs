@@ -44,7 +44,6 @@ const MANY: usize = 3;
 const LARGE: f64 = 1e16;
 
 /// The page that shows what a function gives.
-#[derive(Default)]
 pub struct OverviewPage<'p> {
     /// The results, one table for each signature.
     pub results: &'p [SignatureResults],
@@ -56,6 +55,8 @@ pub struct OverviewPage<'p> {
     pub engines: &'p [&'p Identity],
     /// Whether no engine but the reference was asked, which follows the rules that are listed below a table; others may be recorded.
     pub only_reference: bool,
+    /// Gives a basis with the publisher of its source where that is not the maker.
+    pub attributed: &'p dyn Fn(&str) -> String,
 }
 
 impl OverviewPage<'_> {
@@ -70,7 +71,7 @@ impl OverviewPage<'_> {
             writeln!(out)?;
         }
         self.write_printed(&mut notes, out)?;
-        notes.write(out)?;
+        notes.write(self.attributed, out)?;
         let Some(first) = self.results.first() else {
             return Ok(());
         };
@@ -322,9 +323,9 @@ impl Footnotes {
         (b'a'..=b'z').nth(index).map_or('z', char::from)
     }
 
-    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    fn write(&self, attributed: &dyn Fn(&str) -> String, out: &mut dyn Write) -> io::Result<()> {
         for (letter, basis) in (b'a'..=b'z').zip(&self.bases) {
-            let lines = wrap_within(basis, WIDTH - 3).replace('\n', "\n   ");
+            let lines = wrap_within(&attributed(basis), WIDTH - 3).replace('\n', "\n   ");
             writeln!(out, "{}  {lines}", char::from(letter))?;
         }
         if self.open {
