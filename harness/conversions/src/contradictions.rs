@@ -1,7 +1,7 @@
 //! Contradictions: questions to which documents, editions of the standard, recordings and measurements give different answers.
 //!
 //! [`ContradictionsBuilder`] takes answers, each with its origin, and groups the questions on which they differ into topics: questions of
-//! one kind on which the same systems part in the same way are one [`Topic`], which shows the question with the most different answers.
+//! one kind on which the same systems part in the same way are one [`Topic`], which shows the question on which the most systems differ.
 
 mod builder;
 mod kind;
@@ -44,7 +44,7 @@ pub struct Contradictions {
 /// Questions of one kind on which the same systems part in the same way.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Topic {
-    /// The question with the most different answers.
+    /// The question on which the most systems differ.
     pub question: String,
     /// The kind of the questions.
     pub kind: String,

@@ -10,7 +10,7 @@ function showContradictions(main, query) {
     return;
   }
   add(main, el("p", {}, `${counted(found.number, "contradiction", "contradictions")} on ${counted(found.questions, "question", "questions")}: where documents, editions of the standard, `,
-    "recordings and measurements give different answers. Questions of one kind on which the same systems part in the same way are one entry, which shows the question with the most answers."));
+    "recordings and measurements give different answers. Questions of one kind on which the same systems part in the same way are one entry, which shows the question on which the most systems differ."));
   const texts = found.topics.map((topic) => [topic.question, topic.kind, topic.case || "", topic.program || "", ...topic.others,
     ...topic.answers.flatMap(([answer, by]) => [answer, ...by.flatMap(({ system, source }) => [system, source])])].join(" ").toLowerCase());
   const list = el("div", {});
