@@ -36,8 +36,7 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
         _ if from == to => raw,
         (Real, Lreal) => real::between(raw, from, to),
         // TIME has 32 bits with a sign in PLCnext Engineer, where the two convert.
-        (Udint, Time) if raw >= 1 << 31 => return Some(ImplicitResult::Open),
-        (Udint, Time) => moment::from_units(integer::number(raw, from), to, MILLISECONDS),
+        (Udint, Time) => moment::from_units(integer::number(raw, from), to, MomentUnits::ShortTime),
         (Time, Udint) if !moment::has_whole_units(raw, from, MILLISECONDS) => {
             return Some(ImplicitResult::Open);
         }

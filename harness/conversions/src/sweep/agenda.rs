@@ -168,6 +168,13 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
         if bits_and_real && from.bits() == to.bits() {
             kept.bits_as_real = choices.bits_as_real;
         }
+        if (from.is_signed() && to.is_bit_string()) || (from.is_bit_string() && to.is_signed()) {
+            kept.bits_as_integer = choices.bits_as_integer;
+        }
+        let is_count = from.is_integer() || from.is_duration();
+        if choices.moment_units == MomentUnits::ShortTime && to == ElementaryType::Time && is_count {
+            kept.moment_units = choices.moment_units;
+        }
         if from.is_bit_string() && to == ElementaryType::Bool {
             kept.bit_string_as_bool = choices.bit_string_as_bool;
         }

@@ -4,7 +4,8 @@ use super::Bulk;
 use crate::{Operation, Signature, choices_of, functions, signatures, value};
 use std::collections::HashSet;
 use stickler_types::{
-    ConversionChoices, DialectName, ElementaryType, Family, MomentUnits, OutOfRange, Rounding, Value,
+    BitsAsInteger, ConversionChoices, DialectName, ElementaryType, Family, MomentUnits, OutOfRange, Rounding,
+    Value,
 };
 
 /// Returns every signature that has a fast form, each once whatever its name.
@@ -38,19 +39,17 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
         .chain([DialectName::RUSTY, DialectName::STRUCPP, DialectName::CODESYS].map(choices_of))
 }
 
-/// Returns whether the operand is a REAL number of days or of counts.
-fn counts_real_units(signature: &Signature, choices: &ConversionChoices) -> bool {
-    use Family::{Date, DateAndTime, Duration, TimeOfDay};
-    signature.operands == [ElementaryType::Real]
-        && match choices.moment_units {
-            MomentUnits::Seconds | MomentUnits::DaysSince1990 | MomentUnits::ShortTime => false,
-            MomentUnits::DaysAndMilliseconds => signature.result.family() == Date,
-            MomentUnits::Counts => {
-                matches!(
-                    signature.result.family(),
-                    Date | DateAndTime | Duration | TimeOfDay
-                )
-            }
+/// Returns whether the operand is a REAL number of days or of counts, the result a TIME of 32 bits, or the bits of the operand are copied.
+fn is_slow(signature: &Signature, choices: &ConversionChoices) -> bool {
+    let (from, to) = (signature.operands[0], signature.result);
+    let is_real = from == ElementaryType::Real;
+    let copies = from.is_signed() && to.is_bit_string() || from.is_bit_string() && to.is_signed();
+    copies && choices.bits_as_integer == BitsAsInteger::Copy
+        || match choices.moment_units {
+            MomentUnits::Seconds | MomentUnits::DaysSince1990 => false,
+            MomentUnits::DaysAndMilliseconds => is_real && to.family() == Family::Date,
+            MomentUnits::Counts => is_real && (to.is_duration() || to.is_date_or_time()),
+            MomentUnits::ShortTime => to == ElementaryType::Time,
         }
 }
 
@@ -83,7 +82,7 @@ fn the_quick_form_agrees_with_the_exact_one() {
         let choices = all_choices().skip(if from.is_real() { 0 } else { 5 });
         for choices in choices {
             let Some(bulk) = Bulk::new(signature, &choices) else {
-                assert!(counts_real_units(signature, &choices), "{signature:?}");
+                assert!(is_slow(signature, &choices), "{signature:?}");
                 continue;
             };
             let mut results = vec![0; operands.len()];
@@ -123,7 +122,7 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
             let bulk = Bulk::new(&signature, &choices);
             assert_eq!(
                 bulk.is_some(),
-                quick && !counts_real_units(&signature, &choices),
+                quick && !is_slow(&signature, &choices),
                 "{signature:?}"
             );
         }

@@ -29,9 +29,16 @@ impl<'p> ModelEvaluator<'p> {
             cells.push(self.expression(unit, argument)?);
         }
         let keeps = self.program.dialect.rules().keeps_not_finite;
-        let is_real =
-            |argument: &Expression| self.elementary(&argument.ty).is_ok_and(ElementaryType::is_real);
-        if keeps && matches!(function, Abs | Limit) && arguments.iter().any(is_real) {
+        let is_finite = |(cell, argument): (&MemoryCell, &'p Expression)| {
+            let (MemoryCell::Plain(raw), Ok(ty)) = (cell, self.elementary(&argument.ty)) else {
+                return true;
+            };
+            match ty {
+                ElementaryType::Real => f32::from_bits(*raw as u32).is_finite(),
+                _ => ty != ElementaryType::Lreal || f64::from_bits(*raw).is_finite(),
+            }
+        };
+        if keeps && matches!(function, Abs | Limit) && !cells.iter().zip(arguments).all(is_finite) {
             self.open(OpenQuestion::NotANumber, unit, || {
                 "ABS or LIMIT of an infinity".to_owned()
             });

@@ -113,7 +113,14 @@ impl ConversionRule {
         let units = match (from.family(), to.family()) {
             (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.moment_units,
             _ if counts => choices.moment_units,
-            _ if matches!(to, ElementaryType::Time) => choices.moment_units,
+            (Signed | Unsigned | Duration, _)
+                if matches!(
+                    (to, choices.moment_units),
+                    (ElementaryType::Time, MomentUnits::ShortTime)
+                ) =>
+            {
+                MomentUnits::ShortTime
+            }
             // The others have one unit in all other dialects, and so one rule.
             _ => MomentUnits::Seconds,
         };

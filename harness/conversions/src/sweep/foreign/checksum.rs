@@ -105,6 +105,8 @@ impl Checksum {
                 "{ty}_TO_LINT(given) + LINT#{}",
                 1_u64 << (ty.bits() - 1)
             )),
+            // A dialect may copy the highest bit of a bit string into a LINT.
+            _ if ty.is_bit_string() => part(&format!("ULINT_TO_LINT({ty}_TO_ULINT(given))")),
             _ => part(&format!("{ty}_TO_LINT(given)")),
         }
     }
