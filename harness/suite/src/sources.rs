@@ -7,6 +7,7 @@
 mod lint;
 mod read;
 mod recordings;
+mod saved;
 mod sections;
 
 use std::borrow::Cow;
@@ -17,6 +18,7 @@ use stickler_types::{Contradiction, DialectName, RecordingOrigin, Relation};
 use crate::near::suggestion;
 use crate::place::Lines;
 pub(crate) use read::read;
+pub use saved::{CheckedQuote, QuoteResult};
 use sections::{SectionForm, Sections};
 
 /// The key of the source whose sections are Stickler's own rules.
@@ -43,8 +45,8 @@ pub struct Source {
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
-    /// The relation of the publisher to the compilers for which the source speaks; `None` of their makers.
-    pub relation: Option<Relation>,
+    /// The relation of the publisher to what the source speaks of.
+    pub relation: Relation,
     /// The kind, which decides whom a claim of the source binds.
     pub kind: SourceKind,
     /// The address as the file gives it, in which `{section}` and `{anchor}` stand for a section, and a path is one below the
@@ -61,6 +63,8 @@ pub struct Source {
     pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,
+    /// By section, short figures that the page has, letter by letter.
+    pub quotes: BTreeMap<String, Vec<String>>,
     /// The claims of other sources that the source contradicts.
     pub contradicts: Vec<Contradiction>,
     /// The symptoms that the source says must not be, whatever program shows them.

@@ -18,7 +18,7 @@ use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
-use crate::{Case, CaseFileError, Dialects, Features, Sources};
+use crate::{Case, CaseFileError, Dialects, Features, Sources, Withdrawn};
 use crate::{dialects, features, files, ident, places, single, sources, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
@@ -38,6 +38,8 @@ pub struct Suite {
     pub places: Places,
     /// The features of the language, from `features.toml`.
     pub features: Features,
+    /// The cases that were withdrawn, from `withdrawn.toml`.
+    pub withdrawn: Vec<Withdrawn>,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -83,6 +85,7 @@ impl Suite {
         let mut suite = Suite::default();
         suite.read_version(&root);
         suite.read_dialects(&root);
+        suite.read_withdrawn(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).wanting(wanted);
         let (read, (places, errors), mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.

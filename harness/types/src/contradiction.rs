@@ -2,17 +2,28 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The relation of the publisher of a source to a compiler that somebody else makes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+/// The relation of the publisher of a source to what the source speaks of: a compiler, a system or a standard.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Relation {
+    /// Who makes it.
+    #[default]
+    Maker,
     /// Who ships the compiler in a product.
     Integrator,
     /// Who restates a text that is not public.
     Restatement,
     /// Anybody else.
     ThirdParty,
+}
+
+impl Relation {
+    /// Returns whether the publisher makes what the source speaks of.
+    #[must_use]
+    pub fn is_maker(&self) -> bool {
+        *self == Relation::Maker
+    }
 }
 
 /// Claims of other sources that a section of a source contradicts, so that they bind no compiler for which that source speaks unless

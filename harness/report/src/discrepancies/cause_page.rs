@@ -365,10 +365,10 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
     };
     let publisher = inline(publisher);
     let by = match source.relation {
-        None => publisher,
-        Some(Relation::Restatement) => format!("{publisher}, in a restatement"),
-        Some(Relation::ThirdParty) => format!("{publisher}, a third party"),
-        Some(Relation::Integrator) => format!(
+        Relation::Maker => publisher,
+        Relation::Restatement => format!("{publisher}, in a restatement"),
+        Relation::ThirdParty => format!("{publisher}, a third party"),
+        Relation::Integrator => format!(
             "as {publisher}, an integrator and not the maker, documents {}",
             source.engines.join(" and ")
         ),

@@ -34,11 +34,17 @@ struct SourceLine<'a> {
     count: Count,
 }
 
-/// Writes every source, and every rule that a case rests on, with the number of these cases.
+/// Writes every source, or those with these `names`, and every rule that a case rests on, with the number of these cases.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], json: bool) -> io::Result<()> {
+pub(in crate::commands) fn write(
+    out: &mut dyn Write,
+    sources: &Sources,
+    names: &[String],
+    cases: &[&Case],
+    json: bool,
+) -> io::Result<()> {
     let mut cited: BTreeMap<&str, Cited<'_>> = BTreeMap::new();
     for case in cases {
         if let Some((source, section)) = sources.of(&case.basis) {
@@ -49,7 +55,8 @@ pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], jso
             }
         }
     }
-    for source in sources.iter() {
+    let is_named = |source: &&Source| names.is_empty() || names.contains(&source.key);
+    for source in sources.iter().filter(is_named) {
         let sections = cited.remove(source.key.as_str()).unwrap_or_default();
         let lines = lines(source, &sections);
         match json {
