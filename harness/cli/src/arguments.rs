@@ -13,6 +13,7 @@ mod reduce;
 mod reproduce;
 mod run;
 mod site;
+mod sources;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
@@ -26,6 +27,7 @@ pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
 pub use run::RunArguments;
 pub use site::SiteArguments;
+pub use sources::{ChangesArguments, SourcesArguments};
 
 use crate::exit::ExitCodeListing;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -65,6 +67,12 @@ pub enum Command {
     /// Show one case: its program, what must happen, why, and how to run it again
     #[command(after_help = include_str!("arguments/examples/show.txt"))]
     Show(ShowArguments),
+    /// List the sources of the claims, or hold what they quote against saved copies of their pages
+    #[command(after_help = include_str!("arguments/examples/sources.txt"))]
+    Sources(SourcesArguments),
+    /// Show what the suite claims otherwise than an older version of it
+    #[command(after_help = include_str!("arguments/examples/changes.txt"))]
+    Changes(ChangesArguments),
     /// Check the case files themselves
     #[command(after_help = include_str!("arguments/examples/lint.txt"))]
     Lint(LintArguments),

@@ -1,6 +1,7 @@
 //! The commands of `stickler`, one module for each.
 
 mod bless;
+mod changes;
 mod check;
 mod compare;
 mod completions;
@@ -25,6 +26,7 @@ mod reproduce;
 mod run;
 mod show;
 mod site;
+mod sources;
 mod sweep;
 
 use crate::arguments::{Arguments, Command, RunArguments};
@@ -44,6 +46,8 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Bless(arguments) => bless::execute(&arguments, out),
         Command::List(arguments) => list::execute(&arguments, out),
         Command::Show(arguments) => show::execute(&arguments, out),
+        Command::Sources(arguments) => sources::execute(&arguments, out),
+        Command::Changes(arguments) => changes::execute(&arguments, out),
         Command::Lint(arguments) => lint::execute(&arguments, out),
         Command::Check(arguments) => check::execute(&arguments, out),
         Command::Eval(arguments) => eval::execute(&arguments, out),

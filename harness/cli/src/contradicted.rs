@@ -61,7 +61,7 @@ fn origin(suite: &Suite, basis: &str, dialect: Option<DialectName>) -> Option<Ar
         None if is_standard => &source.key,
         None => &source.publisher,
     };
-    let publisher = source.relation.map(|_| format!(" of {}", source.publisher));
+    let publisher = (!source.relation.is_maker()).then(|| format!(" of {}", source.publisher));
     Some(Arc::new(AnswerOrigin {
         // The title of a dialect names its flavour behind a comma.
         system: match title.split_once(',') {

@@ -6,7 +6,7 @@ use crate::output;
 use std::collections::BTreeSet;
 use stickler_conversions::contradictions::AskedQuestion;
 use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, StatementsBuilder};
-use stickler_suite::{Acceptance, Case, Source, SourceKind, Suite};
+use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{Contradiction, DialectName, MatrixWord, Question, Value};
 
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
@@ -111,16 +111,8 @@ fn with_product(suite: &Suite, basis: &str) -> String {
 /// Returns a basis, with the publisher of a document who is not the maker.
 pub fn attributed(suite: &Suite, basis: &str) -> String {
     match suite.sources.of(basis) {
-        Some((
-            Source {
-                kind: SourceKind::Document,
-                relation: Some(relation),
-                publisher,
-                ..
-            },
-            _,
-        )) => {
-            format!("{basis} ({relation}: {publisher})")
+        Some((source, _)) if source.kind == SourceKind::Document && !source.relation.is_maker() => {
+            format!("{basis} ({}: {})", source.relation, source.publisher)
         }
         _ => basis.to_owned(),
     }

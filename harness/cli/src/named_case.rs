@@ -28,7 +28,7 @@ impl<'n> NamedCase<'n> {
     /// Loads the case of an id, with or without `@dialect`; `cases` is the folder of cases, where one was named.
     ///
     /// # Errors
-    /// No folder of cases; no such case, where the error names similar ones.
+    /// No folder of cases; no such case, where the error says why it was withdrawn or names similar ones.
     pub fn load(name: &'n str, cases: Option<&Path>) -> anyhow::Result<NamedCase<'n>> {
         let selection = SelectionArguments {
             cases: cases.map(Path::to_owned),
@@ -42,6 +42,11 @@ impl<'n> NamedCase<'n> {
         let suite = folder.load_selected(&plan, &dialects, &dialects);
         let named = NamedCase { suite, plan, name };
         if named.cases().is_empty() {
+            let (id, dialect) = name.split_once('@').unwrap_or((name, ""));
+            if let Some(entry) = named.suite.withdrawn(id, dialect) {
+                let (date, reason, instead) = (&entry.date, entry.reason.trim(), entry.instead.trim());
+                bail!("the case `{name}` was withdrawn on {date}: {reason}\n  instead: {instead}");
+            }
             let others = folder.load_selected(&named.plan, &dialects, &[]);
             bail!("{}", no_such_case(&others, name));
         }

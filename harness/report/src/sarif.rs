@@ -15,7 +15,7 @@ use document::{
 };
 use std::collections::BTreeMap;
 use stickler_run::Header;
-use stickler_types::{Relation, counted};
+use stickler_types::counted;
 
 /// Returns the content of the file.
 ///
@@ -72,7 +72,7 @@ fn rule(id: String, overview: &Overview) -> SarifRule {
         .unwrap_or_default();
     let described = match source {
         Some(source) => {
-            let kind = Relation::with_kind(source.relation, &source.kind);
+            let kind = source.relation.with_kind(&source.kind);
             format!("{id} ({kind} of {}: {})", source.publisher, source.title)
         }
         None => id.clone(),

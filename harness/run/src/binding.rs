@@ -154,9 +154,8 @@ pub fn promises(case: &Case, engine: &Identity, suite: &Suite) -> bool {
         return false;
     }
     let source = suite.sources.of(&case.basis);
-    let promises = |source: &Source| {
-        source.kind == SourceKind::Document && source.relation != Some(Relation::ThirdParty)
-    };
+    let promises =
+        |source: &Source| source.kind == SourceKind::Document && source.relation != Relation::ThirdParty;
     source.is_none_or(|(source, _)| promises(source))
         && binding(Claim::of(case), Some(engine), suite) == Binding::Own
 }

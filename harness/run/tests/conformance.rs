@@ -83,7 +83,7 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
 }
 
 datatest_stable::harness! {
-    // The files `dialects.toml`, `features.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite, and the folders
+    // The files `dialects.toml`, `features.toml`, `places.toml`, `sources.toml`, `suite.toml` and `withdrawn.toml` describe the suite, and the folders
     // `dialects` and `recordings` hold no cases; every other file of these kinds is a case file.
-    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|features|places|sources|suite)\.toml$|(dialects|recordings)[/\\]).*\.(st|toml)$" },
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|features|places|sources|suite|withdrawn)\.toml$|(dialects|recordings)[/\\]).*\.(st|toml)$" },
 }

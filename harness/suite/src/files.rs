@@ -174,13 +174,14 @@ pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
 
 /// Returns whether a file is one of the suite's own, a recording or the description of a dialect.
 fn is_own(below_root: &str) -> bool {
-    const OWN: [&str; 6] = [
+    const OWN: [&str; 7] = [
         "suite.toml",
         "dialects.toml",
         "features.toml",
         "sources.toml",
         "places.toml",
         "statements.toml",
+        "withdrawn.toml",
     ];
     let folder = below_root.split_once('/').map(|(folder, _)| folder);
     let is_listed = folder.is_some_and(|folder| [RECORDINGS, "dialects"].contains(&folder));

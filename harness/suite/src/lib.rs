@@ -9,6 +9,7 @@
 //! | which dialects and groups may case files name? | [`Dialects`] |
 //! | what is doubtful in the files? | [`lint`](fn@lint) |
 //! | which features has the language, and which does a case use? | [`Features`], [`Case::features`] |
+//! | which cases were withdrawn, and what changed between two versions? | [`Suite::withdrawn`], [`Suite::changes_since`] |
 //! | which documents may a case cite, and for whom do they speak? | [`Sources`] |
 //!
 //! Whatever stands in a file, the rest of the suite still loads: mistakes are
@@ -20,6 +21,7 @@
 mod assemble;
 mod assembly;
 mod bases;
+mod changes;
 mod citations;
 mod condition;
 mod defined;
@@ -50,8 +52,10 @@ mod template;
 mod tests;
 mod toml_text;
 mod unmarked;
+mod withdrawn;
 
 pub use bases::{Bases, OR};
+pub use changes::{Change, Changed};
 pub use citations::NOT_STATED;
 pub use dialects::Dialects;
 pub use error::CaseFileError;
@@ -62,8 +66,9 @@ pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
-pub use sources::{Source, SourceKind, Sources, ToldSymptom, address_of};
+pub use sources::{CheckedQuote, QuoteResult, Source, SourceKind, Sources, ToldSymptom, address_of};
 pub use statements::SourceStatement;
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
 pub use unmarked::without_blank_lines;
+pub use withdrawn::Withdrawn;

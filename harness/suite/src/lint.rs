@@ -46,11 +46,9 @@ impl Suite {
             true => self.sources.unused(self),
             false => Vec::new(),
         };
-        let warnings = self
-            .remarks
-            .iter()
-            .chain(&unused)
-            .map(finding(LintSeverity::Warning));
+        let still_there = self.withdrawn_and_there();
+        let warnings = self.remarks.iter().chain(&unused).chain(&still_there);
+        let warnings = warnings.map(finding(LintSeverity::Warning));
         let mut findings: Vec<LintFinding> = errors.chain(warnings).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();

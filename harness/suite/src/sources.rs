@@ -8,6 +8,7 @@ mod examples;
 mod lint;
 mod read;
 mod recordings;
+mod saved;
 mod sections;
 
 use std::borrow::Cow;
@@ -19,6 +20,7 @@ use crate::near::suggestion;
 use crate::place::Lines;
 use examples::SectionExamples;
 pub(crate) use read::read;
+pub use saved::{CheckedQuote, QuoteResult};
 use sections::{SectionForm, Sections};
 
 /// The key of the source whose sections are Stickler's own rules.
@@ -45,8 +47,8 @@ pub struct Source {
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
-    /// The relation of the publisher to the compilers for which the source speaks; `None` of their makers.
-    pub relation: Option<Relation>,
+    /// The relation of the publisher to what the source speaks of.
+    pub relation: Relation,
     /// The kind, which decides whom a claim of the source binds.
     pub kind: SourceKind,
     /// The address as the file gives it, in which `{section}` and `{anchor}` stand for a section, and a path is one below the
@@ -67,6 +69,8 @@ pub struct Source {
     pub limitations: BTreeMap<String, String>,
     /// By section, the programs and fragments that the section prints.
     pub(crate) examples: BTreeMap<String, SectionExamples>,
+    /// By section, short figures that the page has, letter by letter.
+    pub quotes: BTreeMap<String, Vec<String>>,
     /// The claims of other sources that the source contradicts.
     pub contradicts: Vec<Contradiction>,
     /// The results of calls that the source prints, and of which no dialect has a case.

@@ -18,7 +18,7 @@ use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
-use crate::{Case, CaseFileError, Dialects, Features, SourceStatement, Sources};
+use crate::{Case, CaseFileError, Dialects, Features, SourceStatement, Sources, Withdrawn};
 use crate::{dialects, features, files, ident, places, single, sources, statements, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
@@ -40,6 +40,8 @@ pub struct Suite {
     pub features: Features,
     /// The answers of sources to questions that no case can ask, from `statements.toml`.
     pub statements: Vec<SourceStatement>,
+    /// The cases that were withdrawn, from `withdrawn.toml`.
+    pub withdrawn: Vec<Withdrawn>,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -85,6 +87,7 @@ impl Suite {
         let mut suite = Suite::default();
         suite.read_version(&root);
         suite.read_dialects(&root);
+        suite.read_withdrawn(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).wanting(wanted);
         let (read, (places, errors), mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.

@@ -3,7 +3,7 @@
 use crate::condition::{Condition, Testable};
 use crate::scan::scan;
 use crate::template::Template;
-use crate::{Dialects, Sources, Suite, ToldSymptom, Wanted, files, ident, sources};
+use crate::{Dialects, QuoteResult, Sources, Suite, ToldSymptom, Wanted, files, ident, sources};
 use stickler_mdtest::{Example, check_examples};
 use stickler_types::DialectName;
 
@@ -99,6 +99,24 @@ fn sources_of(example: &Example) -> (Sources, String) {
     (found.sources, errors.collect::<Vec<_>>().join("\n"))
 }
 
+/// Returns what a saved page says of a quote.
+fn checked(page: &str, quote: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let source = "[page]\ntitle = 't'\npublisher = 'p'\nrelation = 'maker'\nkind = 'standard'\naddress = 'https://example.org/{section}'\n\
+                  read = '1'\nsections = 'clauses'\n";
+    std::fs::create_dir(folder.path().join("page")).unwrap();
+    std::fs::write(folder.path().join("page/5.html"), page).unwrap();
+    std::fs::write(
+        folder.path().join("sources.toml"),
+        format!("{source}quotes.5 = ['{quote}']\nquotes.6 = ['1']\n"),
+    )
+    .unwrap();
+    let sources = sources::read(&files::Root::new(folder.path()), &Dialects::default()).sources;
+    let quotes = sources.check_quotes(folder.path());
+    assert_eq!((quotes.len(), &quotes[1].result), (2, &QuoteResult::NoPage));
+    format!("{:?}", quotes[0].result)
+}
+
 #[test]
 fn golden_sources() {
     check_examples("tests/parts/sources.md", |example| {
@@ -106,6 +124,7 @@ fn golden_sources() {
         let basis = example.text("basis");
         match example.wanted() {
             "mistakes" => mistakes,
+            "checked" => checked(example.text("page"), example.text("quote")),
             "limitations" => format!(
                 "{mistakes}{:?}",
                 sources.get("page").map(|page| &page.limitations)

@@ -4,11 +4,14 @@ use crate::Versions;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The relation of the publisher of a source to a compiler that somebody else makes.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+/// The relation of the publisher of a source to what the source speaks of: a compiler, a system or a standard.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Relation {
+    /// Who makes it.
+    #[default]
+    Maker,
     /// Who ships the compiler in a product.
     Integrator,
     /// Who restates a text that is not public.
@@ -18,16 +21,26 @@ pub enum Relation {
 }
 
 impl Relation {
+    /// Returns whether the publisher makes what the source speaks of.
+    #[must_use]
+    pub fn is_maker(&self) -> bool {
+        *self == Relation::Maker
+    }
+
     /// Returns the kind of a source with the relation of its publisher, where that is not the maker: `document (integrator)`.
     #[must_use]
-    pub fn with_kind(relation: Option<Relation>, kind: &str) -> String {
-        relation.map_or_else(|| kind.to_owned(), |relation| format!("{kind} ({relation})"))
+    pub fn with_kind(self, kind: &str) -> String {
+        match self {
+            Relation::Maker => kind.to_owned(),
+            other => format!("{kind} ({other})"),
+        }
     }
 }
 
 impl fmt::Display for Relation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Relation::Maker => "maker",
             Relation::Integrator => "integrator",
             Relation::Restatement => "restatement",
             Relation::ThirdParty => "third party",

@@ -4,7 +4,7 @@
 mod count;
 mod features;
 mod places;
-mod sources;
+pub(super) mod sources;
 
 use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
@@ -35,7 +35,7 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
         return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
     }
     if arguments.sources {
-        sources::write(out, &suite.sources, &cases, arguments.json)?;
+        sources::write(out, &suite.sources, &[], &cases, arguments.json)?;
     } else if arguments.places {
         places::write(out, &cases, arguments.json)?;
     } else if arguments.count {
@@ -129,7 +129,7 @@ fn write_claims(out: &mut dyn Write, claims: &[ClaimLine<'_>], json: bool) -> io
     Ok(())
 }
 
-fn write_json(out: &mut dyn Write, line: &impl Serialize) -> io::Result<()> {
+pub(super) fn write_json(out: &mut dyn Write, line: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer(&mut *out, line)?;
     writeln!(out)
 }

@@ -8,7 +8,7 @@ use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
 use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts, versions};
 use stickler_suite::{Case, Suite};
-use stickler_types::{Relation, Versions, wrap};
+use stickler_types::{Versions, wrap};
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -60,7 +60,7 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
         writeln!(
             out,
             "{DIM}source{DIM:#}    {}, {}",
-            Relation::with_kind(source.relation, source.kind.as_str()),
+            source.relation.with_kind(source.kind.as_str()),
             source.address_of(section)
         )?;
     }
@@ -114,7 +114,7 @@ fn bound(case: &Case, suite: &Suite) -> String {
     let dialect = case.dialect;
     match binding(Claim::of(case), None, suite) {
         Binding::Own => match suite.sources.of(&case.basis).map(|(source, _)| source) {
-            Some(source) if source.relation.is_some() => format!(
+            Some(source) if !source.relation.is_maker() => format!(
                 "compilers of {dialect}, by the word of {}, who does not make them",
                 source.publisher
             ),

@@ -110,13 +110,13 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
         {
             let plain = |ty: &ElementaryType| !ty.is_text() && ty.bits() <= 32;
             let choices = choices_of(dialect);
-            let is_slow = match signature.result.family() {
+            let has_none = match signature.result.family() {
                 Family::Date => choices.moment_units == MomentUnits::DaysSince1990,
                 Family::Real => signature.operation != Operation::Convert,
                 _ => false,
             };
             let quick = signature.operands.len() == 1
-                && !is_slow
+                && !has_none
                 && signature.operands.iter().all(plain)
                 && !signature.result.is_text();
             let bulk = Bulk::new(&signature, &choices);

@@ -370,13 +370,13 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
     };
     let publisher = inline(publisher);
     let by = match source.relation {
-        None => publisher,
-        Some(Relation::Restatement) => format!("{publisher}, in a restatement"),
-        Some(Relation::ThirdParty) => format!("{publisher}, a third party"),
-        Some(Relation::Integrator) if source.engines.is_empty() => {
+        Relation::Maker => publisher,
+        Relation::Restatement => format!("{publisher}, in a restatement"),
+        Relation::ThirdParty => format!("{publisher}, a third party"),
+        Relation::Integrator if source.engines.is_empty() => {
             format!("{publisher}, an integrator and not the maker")
         }
-        Some(Relation::Integrator) => format!(
+        Relation::Integrator => format!(
             "as {publisher}, an integrator and not the maker, documents {}",
             source.engines.join(" and ")
         ),

@@ -67,7 +67,7 @@ function basisLink(basis) {
 
 /** Returns how the publisher of a source stands to the compilers that somebody else makes; nothing of the makers. */
 function relationOf(source) {
-  return source && source.relation ? source.relation.replace("-", " ") : "";
+  return source && source.relation && source.relation !== "maker" ? source.relation.replace("-", " ") : "";
 }
 
 /** Returns the address of a section of a source, for a claim that no case of the run checks. */

@@ -4,7 +4,6 @@ use super::BoundedMarkdown;
 use crate::claims::{Row, Standing};
 use crate::markdown::{cells, inline, linked};
 use crate::overview::Overview;
-use stickler_types::Relation;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
 pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
@@ -37,7 +36,7 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
         },
     };
     let mark = if row.failed() { "**✗**" } else { "" };
-    let kind = source.map(|source| Relation::with_kind(source.relation, &source.kind));
+    let kind = source.map(|source| source.relation.with_kind(&source.kind));
     Some(format!(
         "| {mark} | {} | {} | {section} |",
         inline(row.source),

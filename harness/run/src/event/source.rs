@@ -15,9 +15,9 @@ pub struct SourceHeader {
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
-    /// The relation of the publisher to the compilers for which the source speaks; none of their makers.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub relation: Option<Relation>,
+    /// The relation of the publisher to what the source speaks of; left out of a maker.
+    #[serde(default, skip_serializing_if = "Relation::is_maker")]
+    pub relation: Relation,
     /// The kind, as `sources.toml` spells it: `document`, `standard`, `recording`, `measurement` or `rule`.
     pub kind: String,
     /// The address, in which `{section}` and `{anchor}` stand for a section; [`SourceHeader::address_of`] fills them in.

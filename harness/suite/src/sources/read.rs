@@ -19,15 +19,18 @@ const SOURCES: &str = "sources.toml";
 /// The file of Stickler's own rules, below the root of a suite.
 const RULES: &str = "rules.md";
 
+/// The maximum number of characters of a quote: no sentence of a page is copied.
+const MAX_QUOTE_LEN: usize = 80;
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SourceEntry {
     title: String,
-    publisher: String,
+    publisher: Option<String>,
     relation: Option<Relation>,
     kind: Spanned<String>,
     address: Option<Spanned<String>>,
-    read: String,
+    read: Option<String>,
     since: Option<Spanned<String>>,
     until: Option<Spanned<String>>,
     engines: Option<Vec<String>>,
@@ -39,6 +42,8 @@ struct SourceEntry {
     examples: BTreeMap<Spanned<String>, u32>,
     #[serde(default)]
     omitted: Vec<OmittedEntry>,
+    #[serde(default)]
+    quotes: BTreeMap<Spanned<String>, Vec<String>>,
     #[serde(default)]
     contradicts: Vec<Spanned<Contradiction>>,
     #[serde(default)]
@@ -115,7 +120,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         key: RULE.to_owned(),
         title: "Rules".to_owned(),
         publisher: "Stickler".to_owned(),
-        relation: None,
+        relation: Relation::Maker,
         kind: SourceKind::Rule,
         address: format!("{}#{{section}}", root.shown(RULES)),
         read: String::new(),
@@ -129,6 +134,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         recorded: BTreeMap::new(),
         limitations: BTreeMap::new(),
         examples: BTreeMap::new(),
+        quotes: BTreeMap::new(),
         contradicts: Vec::new(),
         printed: Vec::new(),
         symptoms: Vec::new(),
@@ -190,14 +196,25 @@ impl SourcesReader<'_> {
             self.wrong(at, name, message.to_owned());
             return None;
         }
-        for (key, text) in [
-            ("title", &entry.title),
-            ("publisher", &entry.publisher),
-            ("read", &entry.read),
-        ] {
+        let texts = [
+            ("title", Some(entry.title)),
+            ("publisher", entry.publisher),
+            ("read", entry.read),
+        ];
+        let [title, publisher, read] = texts.map(|(key, text)| {
+            let is = if text.is_some() { "is empty" } else { "is missing" };
+            let text = text.unwrap_or_default();
             if text.trim().is_empty() {
-                self.wrong(at, name, format!("`{key}` is empty; write {}", meaning(key)));
+                self.wrong(at, name, format!("`{key}` {is}; write {}", meaning(key)));
             }
+            text
+        });
+        if entry.relation.is_none() {
+            let message = "`relation` is missing; write how the publisher stands to what the source speaks of: \
+                           `maker`, `integrator`, `restatement` or `third-party`";
+            // Cases can rest on it all the same: as on the word of a maker.
+            self.remarks
+                .push(Mistake::new(self.lines.line(at), message).key(name));
         }
         let kind = self.kind(name, &entry.kind)?;
         let (address, file) = self.address(name, at, kind, entry.address.as_ref())?;
@@ -227,6 +244,19 @@ impl SourcesReader<'_> {
             limitations.insert(section.into_inner(), text);
         }
         let examples = self.examples(name, &sections, entry.examples, entry.omitted);
+        let mut quotes = BTreeMap::new();
+        for (section, texts) in entry.quotes {
+            let is_figure = |text: &String| !text.trim().is_empty() && text.chars().count() <= MAX_QUOTE_LEN;
+            if let Some(expected) = sections.unknown(section.get_ref()) {
+                let message = format!("quotes of no section `{}`; {expected}", section.get_ref());
+                self.wrong(section.span().start, name, message);
+            } else if !texts.iter().all(is_figure) {
+                let message =
+                    format!("a quote is a figure of 1 to {MAX_QUOTE_LEN} characters, and no copied sentence");
+                self.wrong(section.span().start, name, message);
+            }
+            quotes.insert(section.into_inner(), texts);
+        }
         for contradiction in &entry.contradicts {
             let section = &contradiction.get_ref().section;
             if let Some(expected) = sections.unknown(section) {
@@ -247,12 +277,12 @@ impl SourcesReader<'_> {
         let contradicts = entry.contradicts.into_iter().map(Spanned::into_inner);
         let mut source = Source {
             key: name.to_owned(),
-            title: entry.title,
-            publisher: entry.publisher,
-            relation: entry.relation,
+            title,
+            publisher,
+            relation: entry.relation.unwrap_or_default(),
             kind,
             address,
-            read: entry.read,
+            read,
             engines: entry.engines.unwrap_or_default(),
             versions,
             dialects,
@@ -260,6 +290,7 @@ impl SourcesReader<'_> {
             recorded: BTreeMap::new(),
             limitations,
             examples,
+            quotes,
             contradicts: contradicts.collect(),
             printed: Vec::new(),
             symptoms: entry.symptoms,

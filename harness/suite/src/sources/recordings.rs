@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::{DialectName, RecordingOrigin};
+use stickler_types::{DialectName, RecordingOrigin, Relation};
 
 use super::{RECORDING, RecordedOrigin, Sections, Source, SourceKind};
 use crate::files::{self, RECORDINGS};
@@ -45,7 +45,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         key: RECORDING.to_owned(),
         title: "Recordings of compilers".to_owned(),
         publisher: "Contributors".to_owned(),
-        relation: None,
+        relation: Relation::Maker,
         kind: SourceKind::Recording,
         address: root.shown(&format!("{RECORDINGS}/{{section}}.toml")),
         read: "as each file says".to_owned(),
@@ -60,6 +60,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         limitations: BTreeMap::new(),
         examples: BTreeMap::new(),
         printed: Vec::new(),
+        quotes: BTreeMap::new(),
         symptoms: Vec::new(),
         contradicts: Vec::new(),
         paragraphs: BTreeMap::new(),

@@ -33,7 +33,7 @@ pub fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let is_cited = |(key, _): &(&str, &str)| files.iter().any(|(_, text)| text.contains(&format!("{key}: ")));
     let source = |(key, sections)| {
         format!(
-            "[{key}]\ntitle = 't'\npublisher = 'p'\nkind = 'standard'\naddress = 'https://example.org'\nread = '1'\n\
+            "[{key}]\ntitle = 't'\npublisher = 'p'\nrelation = 'maker'\nkind = 'standard'\naddress = 'https://example.org'\nread = '1'\n\
              sections = {sections}\n"
         )
     };

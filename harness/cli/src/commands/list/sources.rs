@@ -25,8 +25,8 @@ struct SourceLine<'a> {
     source: String,
     title: &'a str,
     publisher: &'a str,
-    /// The relation of the publisher to the makers; none where it is the maker.
-    relation: Option<Relation>,
+    /// The relation of the publisher to what the source speaks of.
+    relation: Relation,
     kind: &'static str,
     /// The address of the source, at the section that most cases cite.
     address: String,
@@ -41,11 +41,17 @@ struct SourceLine<'a> {
     count: Count,
 }
 
-/// Writes every source, and every rule that a case rests on, with the number of these cases.
+/// Writes every source, or those with these `names`, and every rule that a case rests on, with the number of these cases.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], json: bool) -> io::Result<()> {
+pub(in crate::commands) fn write(
+    out: &mut dyn Write,
+    sources: &Sources,
+    names: &[String],
+    cases: &[&Case],
+    json: bool,
+) -> io::Result<()> {
     let mut cited: BTreeMap<&str, Cited<'_>> = BTreeMap::new();
     for case in cases {
         if let Some((source, section)) = sources.of(&case.basis) {
@@ -56,7 +62,8 @@ pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], jso
             }
         }
     }
-    for source in sources.iter() {
+    let is_named = |source: &&Source| names.is_empty() || names.contains(&source.key);
+    for source in sources.iter().filter(is_named) {
         let sections = cited.remove(source.key.as_str()).unwrap_or_default();
         let lines = lines(source, &sections);
         match json {
@@ -125,7 +132,7 @@ fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) 
             out,
             "{:>8}  {}, read {}{}{}",
             line.count.asserted,
-            Relation::with_kind(line.relation, line.kind),
+            line.relation.with_kind(line.kind),
             line.read,
             limits(line),
             speaks_for(line)
