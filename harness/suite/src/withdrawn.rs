@@ -17,7 +17,8 @@ const CHANGES: &str = "CHANGES.md";
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Withdrawn {
-    /// The id of a case, of all cases of a probe (`folder/file::probe`) or of a file; with `@dialect` those of one dialect.
+    /// The id of a case, of all cases of a probe (`folder/file::probe`), of those with the same first arguments (`folder/file::probe(INT,BOOL`)
+    /// or of a file; with `@dialect` those of one dialect.
     pub id: String,
     /// The date of the withdrawal, `2026-11-28`.
     pub date: String,
@@ -41,7 +42,7 @@ impl Withdrawn {
     fn covers(&self, id: &str, dialect: &str) -> bool {
         let (own, of) = self.id.split_once('@').unwrap_or((&self.id, dialect));
         let rest = id.strip_prefix(own);
-        of == dialect && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['(', ':']))
+        of == dialect && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['(', ':', ',']))
     }
 
     /// Returns what is wrong with the entry.

@@ -171,7 +171,7 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
         if (from.is_signed() && to.is_bit_string()) || (from.is_bit_string() && to.is_signed()) {
             kept.bits_as_integer = choices.bits_as_integer;
         }
-        let is_count = from.is_integer() || from.is_duration();
+        let is_count = from.integer_range().is_some() || from.is_duration();
         if choices.moment_units == MomentUnits::ShortTime && to == ElementaryType::Time && is_count {
             kept.moment_units = choices.moment_units;
         }

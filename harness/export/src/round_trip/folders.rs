@@ -83,7 +83,7 @@ fn pages_are_named_by_their_text() {
 #[test]
 fn programs_that_may_be_accepted_have_pages_of_their_own() {
     let cases = cases(&[
-        "conversion/bit-string-to-real.toml",
+        "conversion/time-and-bits.toml",
         "conversion/real-to-integer-edges.toml",
     ]);
     let with = ExportPlan {

@@ -113,7 +113,7 @@ impl ConversionRule {
         let units = match (from.family(), to.family()) {
             (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.moment_units,
             _ if counts => choices.moment_units,
-            (Signed | Unsigned | Duration, _)
+            (Boolean | Signed | Unsigned | BitString | Duration, _)
                 if matches!(
                     (to, choices.moment_units),
                     (ElementaryType::Time, MomentUnits::ShortTime)
