@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
-use stickler_types::ElementaryType;
+use stickler_types::{Code, ElementaryType};
 
 const TEXTS: [&str; 4] = [
     include_str!("../library/bistable.st"),
@@ -29,12 +29,17 @@ pub(crate) const CLOCKS: [(ElementaryType, &str); 2] = [
     (ElementaryType::Ltime, "stickler_long_clock"),
 ];
 
-/// Returns a source text with those standard function blocks behind it for whose names diagnostics say that they are not declared; `None`
-/// where there are none.
+/// Returns a source text with those standard function blocks behind it for whose names diagnostics say that no such type is declared;
+/// `None` where there are none.
 pub(crate) fn with_blocks(source: &str, diagnostics: &[SpannedDiagnostic]) -> Option<String> {
-    let named = diagnostics
-        .iter()
-        .map(|one| one.span.text(source).to_ascii_uppercase());
+    use Code::{ArrayElementTypeNotDeclared, StructFieldTypeNotDeclared, UndeclaredUnknownType};
+    let undeclared = diagnostics.iter().filter(|one| {
+        matches!(
+            one.code,
+            UndeclaredUnknownType | ArrayElementTypeNotDeclared | StructFieldTypeNotDeclared
+        )
+    });
+    let named = undeclared.map(|one| one.span.text(source).to_ascii_uppercase());
     let named: BTreeSet<String> = named.collect();
     let blocks: Vec<String> = named.iter().filter_map(|name| block(name)).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {

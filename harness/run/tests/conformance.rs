@@ -7,8 +7,8 @@
 use similar::TextDiff;
 use std::fmt::Write;
 use std::path::Path;
-use stickler_engines::{EngineSession, Reference};
-use stickler_run::{Fact, Grade, Judgement, Plan, RunError, Verdict, ask, judge};
+use stickler_engines::{Engine, EngineSession, Reference};
+use stickler_run::{Fact, Judgement, Plan, RunError, Verdict, ask, judge};
 use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
 
@@ -18,7 +18,7 @@ const BATCH_LEN: usize = 64;
 /// The path of the suite from this crate's folder, in which cargo runs tests.
 const ROOT: &str = "../../conformance-cases";
 
-/// Requires the reference to pass every case of the file, by code and line.
+/// Requires the reference to pass every case of the file, by line and by each code that it gives.
 fn conforms(path: &Path) -> datatest_stable::Result<()> {
     let (cases, errors) = load_file(Path::new(ROOT), path);
     let reference = Reference::new();
@@ -51,7 +51,8 @@ fn conforms(path: &Path) -> datatest_stable::Result<()> {
 
 /// Describes a case that does not pass.
 fn complaint(session: &mut EngineSession<'_>, case: &Case) -> Result<Option<String>, RunError> {
-    let judgement = judge(case, &ask(session, case)?, Grade::Code);
+    let needed = Plan::default().needed(Reference::new().identity(), case);
+    let judgement = judge(case, &ask(session, case)?, needed);
     Ok((judgement.verdict != Verdict::Pass).then(|| describe(case, &judgement)))
 }
 
@@ -83,7 +84,7 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
 }
 
 datatest_stable::harness! {
-    // The files `dialects.toml`, `features.toml`, `places.toml`, `sources.toml`, `suite.toml` and `withdrawn.toml` describe the suite, and the folders
+    // The files `dialects.toml`, `features.toml`, `places.toml`, `sources.toml`, `statements.toml`, `suite.toml` and `withdrawn.toml` describe the suite, and the folders
     // `dialects` and `recordings` hold no cases; every other file of these kinds is a case file.
-    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|features|places|sources|suite|withdrawn)\.toml$|(dialects|recordings)[/\\]).*\.(st|toml)$" },
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|features|places|sources|statements|suite|withdrawn)\.toml$|(dialects|recordings)[/\\]).*\.(st|toml)$" },
 }

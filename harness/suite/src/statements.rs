@@ -1,5 +1,5 @@
-//! What sources say in answer to questions that no case can ask, from `statements.toml`: of standard function blocks, for instance, which the
-//! reference does not have, or of systems without a dialect.
+//! What sources say in answer to questions that no case asks yet, from `statements.toml`: of standard function blocks, for instance, or of
+//! systems without a dialect.
 
 use std::collections::BTreeMap;
 

@@ -42,7 +42,8 @@ impl Withdrawn {
     fn covers(&self, id: &str, dialect: &str) -> bool {
         let (own, of) = self.id.split_once('@').unwrap_or((&self.id, dialect));
         let rest = id.strip_prefix(own);
-        of == dialect && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['(', ':', ',']))
+        let is_of = of == dialect || dialect.is_empty();
+        is_of && rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['(', ':', ',', ')']))
     }
 
     /// Returns what is wrong with the entry.
@@ -53,7 +54,7 @@ impl Withdrawn {
             return Some("`date` is no date: write `2026-11-28`");
         }
         let is_empty = texts.iter().any(|text| text.trim().is_empty());
-        is_empty.then_some("`id`, `reason` and `instead` say something")
+        is_empty.then_some("`id`, `reason` or `instead` is empty")
     }
 
     fn wrong(&self, message: impl Into<String>, hint: &str) -> CaseFileError {
@@ -108,7 +109,9 @@ impl Suite {
                     .push(entry.wrong(message, "see \"Withdrawn cases\" in conformance-cases/README.md"));
             }
             if !changes.contains(&format!("`{}`", entry.id)) {
-                let message = format!("no version of the suite had it: {CHANGES} does not name it");
+                let message = format!(
+                    "{CHANGES} does not name it, so that no version of the suite had it or the page is to be written anew"
+                );
                 let hint = "`stickler changes OLD -o CHANGES.md` names those that the older version has";
                 self.remarks.push(entry.wrong(message, hint));
             }

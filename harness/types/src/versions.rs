@@ -82,8 +82,10 @@ pub fn version_numbers(version: &str) -> Option<[u64; 3]> {
         .split(|character: char| character.is_whitespace() || character == ',')
         .map(|word| word.trim_start_matches(['v', 'V']))
         .find(|word| word.starts_with(|character: char| character.is_ascii_digit()))?;
+    let parts = word.split('-');
+    let is_date = parts.clone().count() == 3 && parts.clone().all(|part| part.parse::<u32>().is_ok());
     let word = word.split(['-', '+']).next()?;
-    if !word.contains('.') && word.len() > MAX_NUMBER_LEN {
+    if is_date || !word.contains('.') && word.len() > MAX_NUMBER_LEN {
         return None;
     }
     let digits = word.split(|character: char| !character.is_ascii_digit() && character != '.');
@@ -116,7 +118,14 @@ mod tests {
             );
         }
         assert!(since("0.244").begin_after("0.239.0") && !since("0.244").include("0.239.0"));
-        for unknown in ["", "unknown", "4082459b712a", "20261003", "main at 6bb2c339"] {
+        for unknown in [
+            "",
+            "unknown",
+            "4082459b712a",
+            "20261003",
+            "2026-10-03",
+            "main at 6bb2c339",
+        ] {
             assert!(
                 !since("0").include(unknown) && !since("0").begin_after(unknown),
                 "{unknown}"

@@ -63,7 +63,7 @@ const TABLES: [(Change, &str, &str, Row); 7] = [
     }),
     (
         Change::Gone,
-        "gone otherwise, as others ask them or nothing does",
+        "gone: asked by another case, or no longer asked",
         "file",
         |changed| changed.old.file.to_string(),
     ),

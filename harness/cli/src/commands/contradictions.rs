@@ -4,6 +4,7 @@ use crate::arguments::ContradictionsArguments;
 use crate::case_folder::{self, CaseFolder};
 use crate::contradicted;
 use crate::exit::Exit;
+use crate::output;
 use std::io::Write;
 use stickler_conversions::contradictions::AskedQuestion;
 
@@ -25,6 +26,9 @@ pub fn execute(arguments: &ContradictionsArguments, out: &mut dyn Write) -> anyh
     let cases: Vec<_> = suite.cases.iter().collect();
     let most = if arguments.all { usize::MAX } else { 40 };
     let found = contradicted::gather(&cases, &suite, &folder.usable_recordings()?).finish(most, is_wanted);
+    if found.number == 0 && !words.is_empty() && !arguments.json {
+        output::note("no question on which sources differ has all of these words");
+    }
     if arguments.json {
         serde_json::to_writer(&mut *out, &found)?;
         writeln!(out)?;

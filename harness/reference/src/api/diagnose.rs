@@ -26,12 +26,11 @@ impl Checked {
         let Some(text) = with_blocks(source, &alone.diagnostics) else {
             return alone;
         };
-        let mut whole = Checked::alone(&text, dialect);
-        // What is not closed ends in the blocks.
+        let whole = Checked::alone(&text, dialect);
+        // A dialect may lack the types of a block, and a text may not be closed.
         let end = source.len() as u32;
-        for diagnostic in &mut whole.diagnostics {
-            diagnostic.span.start = diagnostic.span.start.min(end);
-            diagnostic.span.end = diagnostic.span.end.min(end);
+        if whole.diagnostics.iter().any(|one| one.span.end > end) {
+            return alone;
         }
         Checked {
             lines: alone.lines,

@@ -4,7 +4,7 @@ use super::observe::{check_scan, resolve};
 use super::request::RequestError;
 use crate::execution::Machine;
 use crate::library::CLOCKS;
-use crate::semantics::{CheckedProgram, ObservedType};
+use crate::semantics::{CheckedProgram, ObservedType, ObservedVariable};
 use stickler_types::{RunRequest, Setting, Value};
 
 /// The variables to set, in the form that the machine takes.
@@ -35,8 +35,9 @@ impl<'a> Settings<'a> {
         let mut list = set
             .map(|setting| ResolvedSetting::new(program, setting, request.scans))
             .collect::<Result<Vec<_>, _>>()?;
-        for (_, clock) in CLOCKS {
-            let Ok(place) = resolve(program, clock) else {
+        for (ty, clock) in CLOCKS {
+            let is_clock = |place: &ObservedVariable| place.ty == ObservedType::Plain(ty);
+            let Some(place) = program.global(clock).filter(is_clock) else {
                 continue;
             };
             list.extend(request.clock.iter().map(|time| ResolvedSetting {

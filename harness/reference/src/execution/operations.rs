@@ -134,6 +134,7 @@ impl Machine<'_> {
         }
         if function == StandardFunction::Find {
             let (sought, text) = (self.pop_text()?, self.pop_text()?);
+            self.spend_on_text((text.len() + sought.len()) as u64)?;
             let found = standard::position(&text, &sought);
             self.operands.push(narrow(found, ElementaryType::Int));
             return Ok(());

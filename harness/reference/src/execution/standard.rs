@@ -175,11 +175,28 @@ fn range(text: &[u16], length: u64, position: i64) -> Range<usize> {
     start..inside(end).max(start)
 }
 
-/// Returns the position of a text in another, from 1; 0 where it is not there, or is empty.
+/// Returns the position of a text in another, from 1; 0 where it is not there, or is empty. It takes as long as the two texts have characters
+/// together (the algorithm of Knuth, Morris and Pratt).
 pub(super) fn position(text: &[u16], sought: &[u16]) -> u64 {
-    let mut places = text.windows(sought.len().max(1));
-    let found = places.position(|place| place == sought);
-    found.map_or(0, |at| at as u64 + 1)
+    // For each beginning of the sought text, how long a shorter beginning is with which it ends.
+    let mut borders = vec![0; sought.len()];
+    let longer = |borders: &[usize], mut matched: usize, unit: u16| {
+        while matched > 0 && sought[matched] != unit {
+            matched = borders[matched - 1];
+        }
+        matched + usize::from(sought[matched] == unit)
+    };
+    for at in 1..sought.len() {
+        borders[at] = longer(&borders, borders[at - 1], sought[at]);
+    }
+    let mut matched = 0;
+    for (at, unit) in text.iter().enumerate().filter(|_| !sought.is_empty()) {
+        matched = longer(&borders, matched, *unit);
+        if matched == sought.len() {
+            return (at + 2 - matched) as u64;
+        }
+    }
+    0
 }
 
 /// Returns what a function of texts and positions gives; `None` for another function.

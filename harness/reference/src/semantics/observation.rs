@@ -187,6 +187,12 @@ impl VariableTable {
 }
 
 impl CheckedProgram {
+    /// The global variable of a name; `None` where there is none of an elementary type.
+    pub(crate) fn global(&self, name: &str) -> Option<ObservedVariable> {
+        let global = self.directory.globals.find(name)?;
+        self.directory.observed(global.ty, global.offset).ok()
+    }
+
     /// The variable of a path: names with `.field` and `[subscripts]` behind them, in any case.
     ///
     /// The first name is a variable of the program called `main` (or else of the one that runs first), or a

@@ -156,7 +156,12 @@ impl<'m> Lowering<'m> {
                 StandardInput::Exactly(input) => {
                     self.coerce(value, TypeId::of(input), ValueContext::Argument);
                 }
-                StandardInput::Integer => self.integer_argument(value),
+                StandardInput::Integer => {
+                    self.integer_argument(value);
+                    if of == GenericType::String {
+                        self.bound_count(value);
+                    }
+                }
                 StandardInput::Common if value == common[0] => {
                     if function == StandardFunction::Mux {
                         self.bound_selector(common.len());
@@ -201,6 +206,18 @@ impl<'m> Lowering<'m> {
         if self.model.source.dialect.mux_outside_takes_last {
             self.emit(Instruction::Push(inputs as u64 - 1));
             // A negative selector counts as larger than all.
+            self.emit(Instruction::Standard {
+                function: StandardFunction::Min,
+                of: ElementaryType::Ulint,
+                count: 2,
+            });
+        }
+    }
+
+    /// Replaces a length or a position in a text, which is on the stack, by the greatest LINT where it is a greater ULINT.
+    fn bound_count(&mut self, id: ExpressionId) {
+        if self.infer(id).elementary() == Some(ElementaryType::Ulint) {
+            self.emit(Instruction::Push(i64::MAX.cast_unsigned()));
             self.emit(Instruction::Standard {
                 function: StandardFunction::Min,
                 of: ElementaryType::Ulint,

@@ -94,9 +94,10 @@ fn words_of_page(folder: &Path, page: &str) -> Option<Vec<String>> {
     let path = |extension: &&str| folder.join(format!("{page}{extension}"));
     let mut texts = EXTENSIONS.iter().map(path).flat_map(|path| files::read(&path));
     let text = texts.next()?;
+    let text = text.trim_start_matches('\u{feff}');
     Some(match text.trim_start().starts_with('<') {
-        true => words_of(&without_markup(&text)),
-        false => words_of(&text),
+        true => words_of(&without_markup(text)),
+        false => words_of(text),
     })
 }
 
@@ -143,7 +144,8 @@ fn without_markup(html: &str) -> String {
         if !INLINE.contains(&format!(" {name} ")) {
             text.push(' ');
         }
-        rest = behind.split_once(end).map_or("", |(_, behind)| behind);
+        let at = behind.to_ascii_lowercase().find(end);
+        rest = at.map_or("", |at| &behind[at + end.len()..]);
         if end.starts_with("</") {
             rest = rest.split_once('>').map_or("", |(_, behind)| behind);
         }

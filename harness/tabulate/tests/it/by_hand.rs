@@ -188,6 +188,9 @@ const RANGE_CHECKS: [(&str, &str); 2] = [
     ("idiom-range-check-with-an-empty-else", "INT#7"),
 ];
 
+/// The table of texts whose numbers are 0 where their type does not hold them.
+const LATER_TEXTS: &str = "later-texts";
+
 #[test]
 fn the_range_check_lets_through_what_fits() {
     let tables = tables();
@@ -197,6 +200,21 @@ fn the_range_check_lets_through_what_fits() {
             let result = fitting.map_or_else(|_| outside.to_owned(), |value| value.to_string());
             assert_eq!(result, row["expected"], "{name}: {row:?}");
         }
+    }
+}
+
+#[test]
+fn a_text_is_a_number_that_its_type_holds_or_0() {
+    for row in rows(&tables()[LATER_TEXTS]) {
+        let ty = ElementaryType::from_name(row["type"]).unwrap();
+        let number = row["text"].parse::<i128>().ok();
+        let is_held = |number: &i128| match ty.integer_range() {
+            Some((least, greatest)) => (least..=greatest).contains(number),
+            None => (0..1_i128 << ty.bits()).contains(number),
+        };
+        let value = number.filter(is_held).unwrap_or(0);
+        let expected = Value::parse(&format!("{}#{value}", ty.name())).unwrap();
+        assert_eq!(expected.to_string(), row["expected"], "{row:?}");
     }
 }
 
@@ -214,6 +232,7 @@ fn every_table_with_expected_values_is_compared() {
     let mut compared: Vec<&str> = STEPS.map(|(name, _)| name).into();
     compared.extend(IDIOMS.map(|(name, _, _)| name));
     compared.extend(RANGE_CHECKS.map(|(name, _)| name));
+    compared.push(LATER_TEXTS);
     for (name, table) in tables() {
         let has_values = table.columns.iter().any(|column| column == "expected");
         let is_compared = table.is_of_calls() || compared.contains(&name.as_str());
