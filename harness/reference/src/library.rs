@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, Dialect, ElementaryType};
 
 const TEXTS: [&str; 4] = [
     include_str!("../library/bistable.st"),
@@ -13,6 +13,9 @@ const TEXTS: [&str; 4] = [
     include_str!("../library/counter.st"),
     include_str!("../library/timer.st"),
 ];
+
+/// The blocks of systems whose inputs are called SET and RESET.
+const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
 /// The types of counters, of which the first one's are written in `library`.
 const COUNTED: [ElementaryType; 5] = [
@@ -31,7 +34,11 @@ pub(crate) const CLOCKS: [(ElementaryType, &str); 2] = [
 
 /// Returns a source text with those standard function blocks behind it for whose names diagnostics say that no such type is declared;
 /// `None` where there are none.
-pub(crate) fn with_blocks(source: &str, diagnostics: &[SpannedDiagnostic]) -> Option<String> {
+pub(crate) fn with_blocks(
+    source: &str,
+    diagnostics: &[SpannedDiagnostic],
+    dialect: &Dialect,
+) -> Option<String> {
     use Code::{ArrayElementTypeNotDeclared, StructFieldTypeNotDeclared, UndeclaredUnknownType};
     let undeclared = diagnostics.iter().filter(|one| {
         matches!(
@@ -41,7 +48,10 @@ pub(crate) fn with_blocks(source: &str, diagnostics: &[SpannedDiagnostic]) -> Op
     });
     let named = undeclared.map(|one| one.span.text(source).to_ascii_uppercase());
     let named: BTreeSet<String> = named.collect();
-    let blocks: Vec<String> = named.iter().filter_map(|name| block(name)).collect();
+    let own = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
+    let own = |name: &String| own.and_then(|text| cut(text, name)).map(str::to_owned);
+    let block = |name: &String| own(name).or_else(|| block(name));
+    let blocks: Vec<String> = named.iter().filter_map(block).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
         let mut blocks = blocks.iter();
         blocks.any(|block| block.contains(clock))
@@ -77,10 +87,12 @@ fn block(name: &str) -> Option<String> {
 
 /// Returns the text of a function block that is written in `library`.
 fn written(name: &str) -> Option<&'static str> {
+    TEXTS.iter().find_map(|text| cut(text, name))
+}
+
+/// Returns the function block of a name out of a text.
+fn cut<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     const END: &str = "END_FUNCTION_BLOCK";
-    let head = format!("FUNCTION_BLOCK {name}\n");
-    let behind = TEXTS
-        .iter()
-        .find_map(|text| text.find(&head).map(|at| &text[at..]))?;
+    let behind = &text[text.find(&format!("FUNCTION_BLOCK {name}\n"))?..];
     behind.find(END).map(|end| &behind[..end + END.len()])
 }

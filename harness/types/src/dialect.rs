@@ -136,6 +136,11 @@ choices! {
         ///
         /// Basis: ironplc-data-types: string; iec-61131-3: Table 7, by which an apostrophe is `$'`.
         doubled_apostrophes: bool = false, ["flags.doubled-apostrophes"];
+        /// The inputs of the standard counters and bistables are called RESET, LOAD, SET, SET1 and RESET1, counters count WORD, and F_TRIG tells no
+        /// edge in its first call.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`lib_std_…`).
+        set_and_reset_inputs: bool = false, ["flags.set-and-reset-inputs"];
         /// A subrange may have a single value: `INT(0..0)`.
         ///
         /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.

@@ -23,7 +23,7 @@ impl Checked {
     /// Checks a source text, with those standard function blocks that it uses and does not declare.
     pub fn new(source: &str, dialect: &Dialect) -> Checked {
         let alone = Checked::alone(source, dialect);
-        let Some(text) = with_blocks(source, &alone.diagnostics) else {
+        let Some(text) = with_blocks(source, &alone.diagnostics, dialect) else {
             return alone;
         };
         let whole = Checked::alone(&text, dialect);
