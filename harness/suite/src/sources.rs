@@ -293,6 +293,12 @@ impl Source {
     pub fn address_of(&self, section: &str) -> String {
         address_of(&self.address, section)
     }
+
+    /// Returns the first section that the file of sources names; `None` where it names none.
+    #[must_use]
+    pub fn first_section(&self) -> Option<&str> {
+        self.sections.headings.first().map(|(name, _)| name.as_str())
+    }
 }
 
 /// Fills in the address of a source for a section: `{section}` stands for its name, `{anchor}` for its words in lower case with

@@ -23,7 +23,7 @@ struct Count {
 struct SourceLine<'a> {
     /// The key of the source; for a rule, `rule: NAME`.
     source: String,
-    title: &'a str,
+    title: String,
     publisher: &'a str,
     /// The relation of the publisher to what the source speaks of.
     relation: Relation,
@@ -78,7 +78,7 @@ pub(in crate::commands) fn write(
 fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
     let line = |name: String, section: &str, count: Count| SourceLine {
         source: name,
-        title: &source.title,
+        title: source.title.replace("{section}", section),
         publisher: &source.publisher,
         relation: source.relation,
         kind: source.kind.as_str(),
@@ -104,7 +104,10 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
         asserted: sum.asserted + count.asserted,
         open: sum.open + count.open,
     });
-    let section = most.map_or("", |(section, _)| section);
+    let section = most
+        .map(|(section, _)| *section)
+        .or_else(|| source.first_section());
+    let section = section.unwrap_or_default();
     vec![line(source.key.clone(), section, count)]
 }
 
