@@ -127,7 +127,9 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
         {
             moment::between_counts(raw, from, to)
         }
-        (Duration, Duration) if units == MomentUnits::ShortTime && from != to => {
+        (Duration, Duration)
+            if units == MomentUnits::ShortTime && from != to && to == ElementaryType::Time =>
+        {
             moment::from_units(moment::units(raw, from, units), to, units)
         }
         (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
