@@ -68,7 +68,7 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
         return Binding::Own;
     };
     let begins_later =
-        |source: &Source| engine.is_some_and(|engine| source.versions.begin_after(&engine.version));
+        |source: &Source| compared(engine).is_some_and(|version| source.versions.begin_after(version));
     let is_lasting = |(source, other): &(&Source, &Contradiction)| {
         other.until.is_none() && !other.outweighed && !begins_later(source)
     };
@@ -76,7 +76,7 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
         return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
     }
     let versions = versions(claim, engine, suite);
-    if engine.is_some_and(|engine| !versions.include(&engine.version)) {
+    if compared(engine).is_some_and(|version| !versions.include(version)) {
         return Binding::OtherVersion(versions);
     }
     match source.kind {
@@ -115,11 +115,18 @@ fn contradictions<'s>(
     })
 }
 
+/// Returns the version of an engine, if the claims of its makers are compared with it. The numbers of an engine for which Stickler has no adapter are
+/// its own, and say nothing of the compiler whose dialect it lists.
+fn compared(engine: Option<&Identity>) -> Option<&str> {
+    let known = engine.filter(|engine| Compiler::from_name(&engine.name).is_some())?;
+    Some(&known.version)
+}
+
 /// Returns whether an engine is asked a case: it speaks the dialect, and the claim begins with no later version than the engine has.
 #[must_use]
 pub fn is_asked(case: &Case, engine: &Identity, suite: &Suite) -> bool {
     let begins_later = |(source, section): (&Source, &str)| {
-        source.versions.begin_after(&engine.version)
+        compared(Some(engine)).is_some_and(|version| source.versions.begin_after(version))
             && is_own(source, section, case.dialect, Some(engine), suite)
     };
     engine.speaks(case.dialect)
