@@ -44,6 +44,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         "replace variables by their first values",
         |view| values::to_value(view, 0)
     ),
+    text_pass!("replace calls by what they change", values::call_to_value),
     text_pass!("give functions a plain result", declarations::plain_results),
     text_pass!("replace expressions by variables", expressions::to_variable),
     text_pass!(

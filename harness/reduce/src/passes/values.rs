@@ -5,7 +5,7 @@
 
 use crate::TextView;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::ExpressionKind;
+use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind};
 
 /// Replaces variables by their values after some scans; after none, these are the initial ones.
 pub(crate) fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
@@ -22,6 +22,31 @@ pub(crate) fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
         let name = expression.span.text(view.text()).to_ascii_lowercase();
         if let (true, Some(value)) = (is_read, values.get(&name)) {
             changes.push(Edits::replacing(expression.span, value.as_str()));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Replaces calls by assignments of the values that their arguments have in the end, since a call may only change a variable that it is given.
+pub(crate) fn call_to_value(view: &TextView<'_>) -> Vec<Edits> {
+    let values = view.draft.rules().values(view.text(), view.draft.dialect(), 1);
+    let mut changes = Vec::new();
+    for statement in view.statements() {
+        let StatementKind::Call(call) = statement.kind else {
+            continue;
+        };
+        let Some(ExpressionKind::Call { arguments, .. }) = view.unit.expression(call).map(|call| &call.kind)
+        else {
+            continue;
+        };
+        for argument in arguments {
+            let (Argument::Positional(given)
+            | Argument::Named { value: given, .. }
+            | Argument::Output { target: given, .. }) = argument;
+            let given = &view.text()[view.range_of_expression(*given)];
+            if let Some(value) = values.get(&given.to_ascii_lowercase()) {
+                changes.push(Edits::replacing(statement.span, format!("{given} := {value}")));
+            }
         }
     }
     view.only_allowed(changes)
