@@ -118,18 +118,17 @@ pub fn attributed(suite: &Suite, basis: &str) -> String {
     }
 }
 
-/// Returns what sources of these dialects state of a conversion function that other sources of the same system contradict: the basis, and the statement.
-pub fn contradictions(suite: &Suite, function: &str, dialects: &[DialectName]) -> Vec<String> {
+/// Returns the contradictions that are wanted, of the sources that speak for one of these dialects: the basis, and its statement.
+pub fn contradictions(
+    suite: &Suite,
+    dialects: &[DialectName],
+    is_wanted: impl Fn(&Contradiction) -> bool,
+) -> Vec<String> {
     let told = suite.sources.iter().flat_map(|source| {
-        let names = |text: &String| text.trim_matches(['(', ',']).eq_ignore_ascii_case(function);
-        let is_shown =
-            |told: &&Contradiction| dialects.iter().any(|of| source.speaks_for(&told.section, *of));
-        let of_function = source
-            .contradicts
-            .iter()
-            .filter(is_shown)
-            .filter(move |told| told.only.iter().any(names));
-        of_function.map(|told| format!("{}: {} {}", source.key, told.section, told.says))
+        let speaks = |told: &&Contradiction| dialects.iter().any(|of| source.speaks_for(&told.section, *of));
+        let shown = source.contradicts.iter().filter(speaks);
+        let shown = shown.filter(|told| is_wanted(told));
+        shown.map(|told| format!("{}: {} {}", source.key, told.section, told.says))
     });
     told.collect()
 }

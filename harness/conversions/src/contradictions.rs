@@ -12,7 +12,7 @@ pub use builder::{AskedQuestion, ContradictionsBuilder, NewAnswer};
 use serde::Serialize;
 use stickler_types::DialectName;
 
-/// What an answer rests on: a source that states it, or a compiler that was recorded or measured to give it.
+/// The origin of an answer to a question: the source that states the answer, or the compiler that was recorded or measured to give it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 pub struct AnswerOrigin {
     /// The system whose answer it is, or the edition of the standard.
@@ -58,6 +58,6 @@ pub struct Topic {
     pub systems: usize,
     /// The number of questions of the topic.
     pub questions: usize,
-    /// Some of the other questions.
+    /// Examples of the other questions of the topic.
     pub others: Vec<String>,
 }

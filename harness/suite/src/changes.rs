@@ -8,19 +8,19 @@ use crate::{Case, Suite};
 /// The way in which a case changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// It is new.
+    /// The case is new.
     Added,
-    /// It expects something else.
+    /// The case expects something else than before.
     Corrected,
-    /// It was wrong and is gone, as `withdrawn.toml` says.
+    /// The case was wrong and is gone, as `withdrawn.toml` says.
     Withdrawn,
-    /// It was only recorded, and asserts something now.
+    /// The case asserts something, where the older version only recorded what a compiler does.
     Asserted,
-    /// It is only recorded now.
+    /// The case only records what a compiler does, where the older version asserted something.
     Opened,
-    /// It expects the same, and another claim says so.
+    /// The case expects the same as before, on the basis of another claim.
     Rebased,
-    /// It is gone: another case asks the same, or nothing asks it of the dialect any more.
+    /// The case is gone: another case asks the same, or no case asks its question of the dialect any more.
     Gone,
 }
 

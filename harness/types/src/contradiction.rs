@@ -85,9 +85,9 @@ pub struct Contradiction {
 }
 
 impl Contradiction {
-    /// Returns whether the section is about later versions of the compiler than this one, as it says it, for which the claims still hold.
+    /// Returns whether the claims still hold in this version of the compiler, as it says it: they ended with a later one, or with this one.
     #[must_use]
-    pub fn begins_after(&self, version: &str) -> bool {
+    pub fn claims_hold_in(&self, version: &str) -> bool {
         let until = self.until.clone();
         let is_dated = until.is_some();
         is_dated && Versions { since: None, until }.include(version)

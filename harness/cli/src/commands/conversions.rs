@@ -14,7 +14,7 @@ use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find
 use stickler_engines::Identity;
 use stickler_exact::Signature;
 use stickler_suite::{SourceKind, Suite};
-use stickler_types::{DialectName, PrintedResult, wrap};
+use stickler_types::{Contradiction, DialectName, PrintedResult, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -86,7 +86,9 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             attributed: &|basis| documented::attributed(&suite, basis),
         };
         page.write(out)?;
-        for told in documented::contradictions(&suite, &function, &having) {
+        let names = |text: &String| text.trim_matches(['(', ',']).eq_ignore_ascii_case(&function);
+        let is_of_function = |told: &Contradiction| told.only.iter().any(names);
+        for told in documented::contradictions(&suite, &having, is_of_function) {
             writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
         }
     }

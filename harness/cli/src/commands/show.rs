@@ -2,13 +2,14 @@
 
 use crate::arguments::ShowArguments;
 use crate::case_folder;
+use crate::documented;
 use crate::exit::Exit;
 use crate::named_case::NamedCase;
 use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
 use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts, versions};
 use stickler_suite::{Case, Suite};
-use stickler_types::{Versions, wrap};
+use stickler_types::{Contradiction, Versions, wrap};
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -64,7 +65,8 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
             source.address_of(section)
         )?;
     }
-    for against in contradictions(case, suite) {
+    let is_against = |other: &Contradiction| other.is_of(&case.basis, (&case.id, &case.source));
+    for against in documented::contradictions(suite, &[case.dialect], is_against) {
         writeln!(out, "{DIM}but{DIM:#}       {against}")?;
     }
     if !case.is_open() {
@@ -94,19 +96,6 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
     }
     writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
     write_expectation(case, out)
-}
-
-/// Returns what other sources of the same system say against the claim of a case: the basis, and the statement.
-fn contradictions(case: &Case, suite: &Suite) -> Vec<String> {
-    let told = suite.sources.iter().flat_map(|source| {
-        source
-            .contradicts
-            .iter()
-            .filter(|other| other.is_of(&case.basis, (&case.id, &case.source)))
-            .filter(|other| source.speaks_for(&other.section, case.dialect))
-            .map(move |other| format!("{}: {} {}", source.key, other.section, other.says))
-    });
-    told.collect()
 }
 
 /// Returns whom the expectation of a case binds, and why.

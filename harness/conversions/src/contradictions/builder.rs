@@ -44,10 +44,10 @@ pub struct ContradictionsBuilder {
     questions: HashMap<String, (AskedQuestion, Vec<GivenAnswer>)>,
 }
 
-/// What an answer rests on, and the answer.
+/// An answer to be added: its origin, and the answer as text.
 pub type NewAnswer<'o> = (&'o Arc<AnswerOrigin>, String);
 
-/// The same, kept.
+/// An answer that was added: its origin, and the answer as text.
 type GivenAnswer = (Arc<AnswerOrigin>, String);
 
 /// By system, kind of source and dialect, the answers to a question.

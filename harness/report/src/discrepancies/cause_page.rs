@@ -251,7 +251,8 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     let version = overview
         .engine(&cause.engine)
         .map_or("", |engine| engine.version.as_str());
-    let is_told = |other: &Contradiction| !other.begins_after(version) && other.is_of(basis, (case, program));
+    let is_told =
+        |other: &Contradiction| !other.claims_hold_in(version) && other.is_of(basis, (case, program));
     for (source, other) in told.filter(|(_, other)| is_told(other)) {
         let section = linked(
             &format!("{}: {}", source.key, other.section),

@@ -1,7 +1,7 @@
 //! Holds the figures that sources quote against saved copies of their pages.
 //!
-//! A copy has the name of its source: `KEY`, or `KEY/SECTION` where the address of the source has the section in it and so stands for
-//! many pages. An extension may follow. Text is compared by its words and signs, so that neither markup nor spaces matter.
+//! The copy of a page has the key of its source as its name. A source with one page for each section, whose address contains the section,
+//! has a folder of copies: `KEY/SECTION`. An extension may follow. Text is compared by its words and signs, so that neither markup nor spaces matter.
 
 use std::collections::BTreeMap;
 use std::path::Path;
