@@ -3,10 +3,11 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use crate::Suite;
 use crate::error::{CaseFileError, Mistake};
 use crate::files::{self, Root};
 use crate::place::Lines;
-use crate::{Suite, toml_text};
+use crate::toml_text::{self, Strings};
 
 /// The file of the withdrawn cases, below the root of a suite.
 const WITHDRAWN: &str = "withdrawn.toml";
@@ -14,8 +15,7 @@ const WITHDRAWN: &str = "withdrawn.toml";
 const CHANGES: &str = "CHANGES.md";
 
 /// Cases that were wrong and are gone.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Withdrawn {
     /// The id of a case, of all cases of a probe (`folder/file::probe`), of those with the same first arguments (`folder/file::probe(INT,BOOL`)
     /// or of a file; with `@dialect` those of one dialect.
@@ -27,7 +27,6 @@ pub struct Withdrawn {
     /// What is asked or claimed instead.
     pub instead: String,
     /// The file, as messages show it, and the line.
-    #[serde(skip)]
     place: (String, u32),
 }
 
@@ -35,7 +34,36 @@ pub struct Withdrawn {
 #[serde(deny_unknown_fields)]
 struct WithdrawnFile {
     #[serde(default)]
-    withdrawn: Vec<Spanned<Withdrawn>>,
+    withdrawn: Vec<WithdrawnTable>,
+}
+
+/// A table of the file: one reason for one id or for several.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WithdrawnTable {
+    id: Spanned<Strings>,
+    date: String,
+    reason: String,
+    instead: String,
+}
+
+impl WithdrawnTable {
+    /// Returns an entry for each id, and one without an id, which is a mistake, where the list is empty.
+    fn entries(self, shown: &str, lines: &Lines) -> Vec<Withdrawn> {
+        let start = self.id.span();
+        let mut ids = self.id.into_inner().0;
+        if ids.is_empty() {
+            ids.push(Spanned::new(start, String::new()));
+        }
+        let entry = |id: Spanned<String>| Withdrawn {
+            place: (shown.to_owned(), lines.line(id.span().start)),
+            id: id.into_inner(),
+            date: self.date.clone(),
+            reason: self.reason.clone(),
+            instead: self.instead.clone(),
+        };
+        ids.into_iter().map(entry).collect()
+    }
 }
 
 impl Withdrawn {
@@ -90,15 +118,12 @@ impl Suite {
         let (entries, errors) = root.read_own(WITHDRAWN, |text| {
             let lines = Lines::new(text);
             let read = toml_text::read::<WithdrawnFile>(text, 0, &lines);
-            let placed = |entry: Spanned<Withdrawn>| {
-                let place = (shown.clone(), lines.line(entry.span().start));
-                Withdrawn {
-                    place,
-                    ..entry.into_inner()
-                }
-            };
             match read {
-                Ok(file) => (file.withdrawn.into_iter().map(placed).collect(), Vec::new()),
+                Ok(file) => {
+                    let tables = file.withdrawn.into_iter();
+                    let entries = tables.flat_map(|table| table.entries(&shown, &lines));
+                    (entries.collect(), Vec::new())
+                }
                 Err(mistake) => (Vec::new(), vec![mistake]),
             }
         });
@@ -107,8 +132,7 @@ impl Suite {
             if let Some(message) = entry.mistake() {
                 self.errors
                     .push(entry.wrong(message, "see \"Withdrawn cases\" in conformance-cases/README.md"));
-            }
-            if !changes.contains(&format!("`{}`", entry.id)) {
+            } else if !changes.contains(&format!("`{}`", entry.id)) {
                 let message = format!(
                     "{CHANGES} does not name it, so that no version of the suite had it or the page is to be written anew"
                 );

@@ -174,17 +174,18 @@ fn page(old: &Suite, new: &Suite) -> String {
 
 /// Adds what was withdrawn, with the reason and what came instead; all of it, for lint looks for the ids here.
 fn push_withdrawn<'a>(text: &mut String, suite: &Suite, cases: impl Iterator<Item = &'a Changed<'a>>) {
-    let mut entries: BTreeMap<String, u64> = BTreeMap::new();
+    let mut entries: BTreeMap<String, BTreeMap<&str, u64>> = BTreeMap::new();
     let entry = |case: &Case| suite.withdrawn(&case.id, case.dialect.as_str());
     for entry in cases.filter_map(|changed| entry(changed.old)) {
-        let (id, date, reason, instead) = (&entry.id, &entry.date, entry.reason.trim(), entry.instead.trim());
-        *entries
-            .entry(format!("* `{id}`, {date}: {reason} Instead: {instead}"))
-            .or_default() += 1;
+        let (date, reason, instead) = (&entry.date, entry.reason.trim(), entry.instead.trim());
+        let ids = entries.entry(format!("{date}: {reason} Instead: {instead}"));
+        *ids.or_default().entry(&entry.id).or_default() += 1;
     }
-    for (at, (entry, number)) in entries.iter().enumerate() {
+    for (at, (entry, ids)) in entries.iter().enumerate() {
         let heading = if at == 0 { "\n### Withdrawn\n\n" } else { "" };
-        let _ = writeln!(text, "{heading}{entry} ({})", counted(*number, "case", "cases"));
+        let of_id = |(id, number): (&&str, &u64)| format!("`{id}` ({})", counted(*number, "case", "cases"));
+        let ids: Vec<String> = ids.iter().map(of_id).collect();
+        let _ = writeln!(text, "{heading}* {}, {entry}", ids.join(", "));
     }
 }
 
