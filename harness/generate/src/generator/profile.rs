@@ -249,9 +249,13 @@ fn weighted_types(types: &[ElementaryType]) -> Vec<ElementaryType> {
     weighted_types
 }
 
-/// Measures how far documents state the results of a conversion, for the values that the generator draws.
+/// Measures how far documents state the results of a conversion, for the values that the generator draws and a real that no integer type holds,
+/// which a product of them may be.
 fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> ResultCoverage {
-    let values = literals::boundaries(from);
+    let mut values = literals::boundaries(from).to_vec();
+    if from.is_real() {
+        values.push(literals::real(from, 1e30));
+    }
     let said = |value| {
         expected(signature, std::slice::from_ref(value), dialect)
             .basis
