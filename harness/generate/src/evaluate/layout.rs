@@ -1,6 +1,6 @@
 //! The memory layout of a program: every elementary value has one cell, in the order of declaration.
 
-use super::{EvaluationError, ill_formed};
+use super::{Evaluated, EvaluationError, ill_formed};
 use crate::model::{ArrayType, DeclaredKind, Program, Type, Variable, VariableSection};
 
 /// The maximum number of cells of a variable.
@@ -34,7 +34,7 @@ pub(super) struct Offsets {
 }
 
 impl Layout {
-    pub fn new(program: &Program) -> Result<Layout, EvaluationError> {
+    pub fn new(program: &Program) -> Evaluated<Layout> {
         let mut layout = Layout {
             types: Vec::with_capacity(program.types.len()),
             functions: Vec::new(),
@@ -57,7 +57,7 @@ impl Layout {
         Ok(layout)
     }
 
-    fn declared(&self, kind: &DeclaredKind) -> Result<TypeLayout, EvaluationError> {
+    fn declared(&self, kind: &DeclaredKind) -> Evaluated<TypeLayout> {
         match kind {
             DeclaredKind::Enumeration(_) => Ok(TypeLayout {
                 size: 1,
@@ -82,7 +82,7 @@ impl Layout {
         }
     }
 
-    fn variables(&self, variables: &[Variable]) -> Result<Offsets, EvaluationError> {
+    fn variables(&self, variables: &[Variable]) -> Evaluated<Offsets> {
         let mut offsets = Offsets::default();
         for variable in variables {
             offsets.variables.push(offsets.size);
@@ -97,7 +97,7 @@ impl Layout {
     }
 
     /// Returns the number of cells of a type.
-    pub fn size(&self, ty: &Type) -> Result<usize, EvaluationError> {
+    pub fn size(&self, ty: &Type) -> Evaluated<usize> {
         match ty {
             Type::Elementary(_) => Ok(1),
             Type::Array(array) => limited(elements(array)?.saturating_mul(self.size(&array.element)?)),
@@ -121,14 +121,14 @@ impl Layout {
 }
 
 /// Returns the number of elements of an array.
-pub(super) fn elements(array: &ArrayType) -> Result<usize, EvaluationError> {
+pub(super) fn elements(array: &ArrayType) -> Evaluated<usize> {
     array.dimensions.iter().try_fold(1_usize, |product, dimension| {
         limited(product.saturating_mul(extent(*dimension)?))
     })
 }
 
 /// Returns the number of subscripts of a dimension.
-pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> {
+pub(super) fn extent((low, high): (i64, i64)) -> Evaluated<usize> {
     let extent = i128::from(high) - i128::from(low) + 1;
     if extent < 1 {
         return Err(ill_formed("an array without elements"));
@@ -136,7 +136,7 @@ pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> 
     limited(usize::try_from(extent).unwrap_or(usize::MAX))
 }
 
-fn limited(size: usize) -> Result<usize, EvaluationError> {
+fn limited(size: usize) -> Evaluated<usize> {
     if size > MAX_CELLS {
         Err(EvaluationError::StepLimit)
     } else {

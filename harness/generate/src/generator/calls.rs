@@ -140,7 +140,9 @@ impl ProgramBuilder<'_, '_> {
     pub fn call(&mut self, ty: &Type, depth: usize) -> Option<Expression> {
         let functions = self.program.functions.iter().enumerate();
         let suits: Vec<usize> = functions
-            .filter(|&(place, function)| function.result == *ty && self.affords(self.function_costs[place]))
+            .filter(|&(place, function)| {
+                function.result.as_ref() == Some(ty) && self.affords(self.function_costs[place])
+            })
             .map(|(place, _)| place)
             .collect();
         let &called = self.random.pick(&suits)?;

@@ -3,7 +3,7 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::scope::{PouRole, contains_text};
-use crate::model::{AssignmentTarget, Function, FunctionBlock, Statement, Type, VariableSection};
+use crate::model::{AssignmentTarget, Pou, Statement, Type, VariableSection};
 use stickler_types::ElementaryType;
 
 /// The maximum number of statements of a function or function block, besides those that end it.
@@ -37,9 +37,9 @@ impl ProgramBuilder<'_, '_> {
             let mut body = self.body(most);
             body.extend(self.result(&result));
             self.function_costs.push(self.pou.cost);
-            self.program.functions.push(Function {
+            self.program.functions.push(Pou {
                 name: format!("Fun{number}"),
-                result,
+                result: Some(result),
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });
@@ -84,8 +84,9 @@ impl ProgramBuilder<'_, '_> {
             }
             let body = self.body(most);
             self.block_costs.push(self.pou.cost);
-            self.program.blocks.push(FunctionBlock {
+            self.program.blocks.push(Pou {
                 name: format!("Block{number}"),
+                result: None,
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });

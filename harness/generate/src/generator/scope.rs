@@ -2,8 +2,7 @@
 
 use super::literals;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, InitialValue, Program, Type, Variable, VariableId,
-    VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Program, Type, Variable, VariableId, VariableSection, visit,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -109,11 +108,9 @@ impl PouScope {
 
     fn hold_initial(&mut self, id: VariableId, variable: &Variable) {
         match (&variable.initial, &variable.ty) {
-            (Some(InitialValue::Expression(value)), _) => self.hold(id, value),
-            (Some(InitialValue::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
-            (Some(InitialValue::Structure(values)), _) => {
-                values.iter().for_each(|(_, value)| self.hold(id, value))
-            }
+            (Some(initial), _) => visit::initial_values(initial)
+                .into_iter()
+                .for_each(|value| self.hold(id, value)),
             (None, Type::Elementary(ty)) => {
                 self.held
                     .extend(literals::boundaries(*ty).first().map(|zero| HeldValue {

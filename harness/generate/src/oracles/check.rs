@@ -4,7 +4,7 @@ use super::{InputOutcome, OracleFailure};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
-use crate::writer::{Keywords, LineEnds, Style, write};
+use crate::writer::{Keywords, Style, write};
 use stickler_types::{Diagnostic, DialectName};
 
 /// The number of bytes that choose the style and the error; the others choose the program.
@@ -56,11 +56,7 @@ fn style(choice: u8) -> Style {
     Style {
         keywords: [Keywords::Upper, Keywords::Lower, Keywords::Mixed, Keywords::Upper]
             [usize::from(choice & 3)],
-        line_ends: if choice & 4 == 0 {
-            LineEnds::Lf
-        } else {
-            LineEnds::CrLf
-        },
+        carriage_returns: choice & 4 != 0,
         seed: u64::from(choice),
         ..Style::default()
     }

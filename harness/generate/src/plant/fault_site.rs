@@ -155,7 +155,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
 
     /// Declares a variable after all others of a unit, which keep their numbers.
     pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: VariableSection) -> Option<()> {
-        unit.variables_mut(&mut self.program)?.push(Variable {
+        unit.pou_mut(&mut self.program)?.variables.push(Variable {
             name: name.to_owned(),
             ty,
             section,
@@ -176,7 +176,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         let int = ElementaryType::Int;
         self.declare(unit, &last, Type::Elementary(int), section)?;
         if section == VariableSection::Constant {
-            let declared = unit.variables_mut(&mut self.program)?.last_mut()?;
+            let declared = unit.pou_mut(&mut self.program)?.variables.last_mut()?;
             declared.initial = Some(crate::model::InitialValue::Expression(literal(int)));
         }
         Some(())
@@ -214,7 +214,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
 
     /// Declares a local variable of an elementary type and returns its name.
     fn declare_variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
-        let variables = unit.variables_mut(&mut self.program)?;
+        let variables = &mut unit.pou_mut(&mut self.program)?.variables;
         let name = format!("{PLANTED}_{}", variables.len());
         self.declare(unit, &name, Type::Elementary(ty), VariableSection::Local)?;
         Some(name)

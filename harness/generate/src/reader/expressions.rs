@@ -281,7 +281,7 @@ impl Reader<'_> {
             read.push(Argument { parameter, value });
         }
         Some(Expression {
-            ty: self.program.unaliased(&called.result).clone(),
+            ty: self.program.unaliased(called.result.as_ref()?).clone(),
             kind: ExpressionKind::Call(function, read),
         })
     }

@@ -5,8 +5,7 @@ use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Function, FunctionBlock, Program, Type, TypeDeclaration, Unit,
-    VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Pou, Program, Type, TypeDeclaration, Unit, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -153,15 +152,18 @@ fn other_case(name: &str) -> Option<String> {
 /// Basis: language/diagnostics-names.st.
 pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let function = fault.choose(fault.original.functions.iter().collect())?;
-    function_again(fault, function, &function.name)
+    again(fault, function, &function.name)
 }
 
-/// Declares a function once more, under a name in another case of its letters.
-fn function_again(fault: &mut FaultSite<'_, '_>, function: &Function, name: &str) -> Option<()> {
+/// Declares a function or function block once more, under a name in another case of its letters.
+fn again(fault: &mut FaultSite<'_, '_>, pou: &Pou, name: &str) -> Option<()> {
     let name = other_case(name)?;
-    fault.mark = Some(format!(" {name} : "));
-    let function = function.clone();
-    fault.program.functions.push(Function { name, ..function });
+    let (declared, end) = match pou.result {
+        Some(_) => (&mut fault.program.functions, " : "),
+        None => (&mut fault.program.blocks, ""),
+    };
+    fault.mark = Some(format!(" {name}{end}"));
+    declared.push(Pou { name, ..pou.clone() });
     Some(())
 }
 
@@ -170,15 +172,7 @@ fn function_again(fault: &mut FaultSite<'_, '_>, function: &Function, name: &str
 /// Basis: ironplc-problem-codes: P4013.
 pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let block = fault.choose(fault.original.blocks.iter().collect())?;
-    block_again(fault, block, &block.name)
-}
-
-fn block_again(fault: &mut FaultSite<'_, '_>, block: &FunctionBlock, name: &str) -> Option<()> {
-    let name = other_case(name)?;
-    fault.mark = Some(format!(" {name}"));
-    let block = block.clone();
-    fault.program.blocks.push(FunctionBlock { name, ..block });
-    Some(())
+    again(fault, block, &block.name)
 }
 
 /// Plants a function with the name of a type.
@@ -188,7 +182,7 @@ pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()>
     let original = fault.original;
     let function = original.functions.last()?;
     let declaration = fault.choose(original.types.iter().collect())?;
-    function_again(fault, function, &declaration.name)
+    again(fault, function, &declaration.name)
 }
 
 /// Plants a type that is declared twice.
