@@ -10,13 +10,14 @@ mod probes;
 use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all, compare};
 use crate::exclusions::{Exclusions, UnknownWord};
 use crate::inputs::Inputs;
+use crate::run::CampaignError;
 use probes::{ProbeProgram, ProbeSource, SurveyProbe};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
-use stickler_engines::{EngineError, EngineSession};
+use stickler_engines::EngineSession;
 use stickler_types::DialectName;
-use stickler_workers::{SpawnError, WorkerPool};
+use stickler_workers::WorkerPool;
 
 /// The number of times that an engine is given random programs with the parts that are left.
 const COVERING_ROUNDS: usize = 3;
@@ -70,22 +71,11 @@ pub struct FailingPart {
     pub program: String,
 }
 
-/// An error that ends a survey.
-#[derive(Debug, thiserror::Error)]
-pub enum SurveyError {
-    /// An engine could not be started.
-    #[error(transparent)]
-    Engine(#[from] EngineError),
-    /// The worker threads could not be started.
-    #[error(transparent)]
-    Workers(#[from] SpawnError),
-}
-
 /// Asks the engines of a campaign for each part of the language alone.
 ///
 /// # Errors
-/// [`SurveyError`] where an engine or a thread cannot be started.
-pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, SurveyError> {
+/// [`CampaignError`] where an engine or a thread cannot be started.
+pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, CampaignError> {
     let begun = Instant::now();
     let going = || (plan.going)() && plan.time.is_none_or(|time| begun.elapsed() < time);
     let plan = &SurveyPlan {
@@ -157,7 +147,7 @@ impl Survey {
         plan: &SurveyPlan<'_>,
         engine: &EngineUnderTest<'_>,
         source: &ProbeSource,
-    ) -> Result<(), SurveyError> {
+    ) -> Result<(), CampaignError> {
         let mut suspects = source.words();
         let parts = suspects.len();
         self.parts += parts as u64;
@@ -182,7 +172,7 @@ impl Survey {
         engine: &EngineUnderTest<'_>,
         source: &ProbeSource,
         suspects: &BTreeSet<String>,
-    ) -> Result<(), SurveyError> {
+    ) -> Result<(), CampaignError> {
         let probes = source.probes(suspects);
         let programs: Vec<&ProbeProgram> = probes.iter().map(|probe| &probe.program).collect();
         let symptoms = self.symptoms(plan, engine, &programs)?;
@@ -212,11 +202,11 @@ impl Survey {
         plan: &SurveyPlan<'_>,
         engine: &EngineUnderTest<'_>,
         programs: &[&ProbeProgram],
-    ) -> Result<Vec<Option<Option<String>>>, SurveyError> {
+    ) -> Result<Vec<Option<Option<String>>>, CampaignError> {
         let begun = Instant::now();
         let pool = WorkerPool::new(plan.jobs);
         let chunk = engine.engine.pack_size().max(CHUNK_LEN);
-        let open = || Ok::<_, SurveyError>(EngineSession::open(engine.engine)?);
+        let open = || Ok::<_, CampaignError>(EngineSession::open(engine.engine)?);
         let work = |session: &mut EngineSession<'_>, chunk: &[&ProbeProgram]| {
             Ok(symptoms_of(session, chunk, plan.going))
         };
@@ -242,7 +232,7 @@ fn symptoms_of(
         Some(match compare(*question, &outcome?) {
             Agreement::Agrees => None,
             Agreement::Unsupported => Some("unsupported".to_owned()),
-            Agreement::Disagrees(disagreement) => Some(disagreement.symptom),
+            Agreement::Disagrees { symptom, .. } => Some(symptom),
         })
     });
     compared.collect()
