@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 use stickler_engines::EngineSession;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, distinct};
 use stickler_workers::WorkerPool;
 
 /// The number of times that an engine is given random programs with the parts that are left.
@@ -114,21 +114,17 @@ impl Survey {
     /// Returns the words for what failed, for [`Exclusions`]: with the dialect where the part did not fail in all of these.
     #[must_use]
     pub fn words(&self, dialects: &[DialectName]) -> Vec<String> {
-        let mut words: Vec<String> = Vec::new();
-        for part in &self.failing {
+        let word = |part: &FailingPart| {
             let fails_in = |dialect: &DialectName| {
                 let mut failing = self.failing.iter();
                 failing.any(|other| other.word == part.word && other.dialect == dialect.as_str())
             };
-            let word = match dialects.iter().all(fails_in) {
+            match dialects.iter().all(fails_in) {
                 true => part.word.clone(),
                 false => format!("{}@{}", part.word, part.dialect),
-            };
-            if !words.contains(&word) {
-                words.push(word);
             }
-        }
-        words
+        };
+        distinct(self.failing.iter().map(word))
     }
 
     /// Returns the exclusions of a campaign: these words and those for what failed.
@@ -237,6 +233,3 @@ fn symptoms_of(
     });
     compared.collect()
 }
-
-#[cfg(test)]
-mod tests;

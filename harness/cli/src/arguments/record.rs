@@ -38,9 +38,6 @@ pub struct RecordArguments {
 }
 
 fn sections() -> impl TypedValueParser<Value = RecordedSection> {
-    PossibleValuesParser::new(RecordedSection::ALL.map(RecordedSection::as_str)).try_map(|word| {
-        let mut sections = RecordedSection::ALL.into_iter();
-        let named = sections.find(|section| section.as_str() == word);
-        named.ok_or("no section of a recording has this name")
-    })
+    PossibleValuesParser::new(RecordedSection::ALL.iter().map(|section| section.as_str()))
+        .try_map(|word| RecordedSection::from_word(&word).ok_or("no section of a recording has this name"))
 }

@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value};
-use stickler_types::{PrintedResult, shortened, wrap, wrap_within};
+use stickler_types::{PrintedResult, distinct, shortened, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -202,15 +202,12 @@ impl OverviewPage<'_> {
                 if let Some(trouble) = trouble(compared) {
                     troubles.push(format!("{}: {call} {trouble}", name(column)));
                 }
-                // What two sources say of a dialect is said once, however many engines speak it.
-                if let Some(disputed) = disputed(&compared.expected) {
-                    let disputed = format!("{}: {call} {disputed}", column.dialect);
-                    if !troubles.contains(&disputed) {
-                        troubles.push(disputed);
-                    }
-                }
+                let disputed = disputed(&compared.expected);
+                troubles.extend(disputed.map(|disputed| format!("{}: {call} {disputed}", column.dialect)));
             }
         }
+        // What two sources say of a dialect is said once, however many engines speak it.
+        let troubles = distinct(troubles);
         if troubles.is_empty() {
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use crate::sweep::agenda::Sweep;
 use crate::sweep::converter::Converter;
-use crate::sweep::findings::{Difference, MAX_DIFFERENCES, SweepFindings};
+use crate::sweep::findings::{Difference, SweepFindings};
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
 use stickler_types::{ElementaryType, Value};
@@ -55,10 +55,9 @@ impl<'s> SweepComparison<'s> {
 
     /// Makes the record of a wrong result at a place of the domain.
     fn difference(&self, place: u64, operands: Vec<Value>, expected: Value, got: Value) -> Difference {
-        let dialects = self.sweep.dialects.iter();
-        let basis = dialects
-            .filter_map(|dialect| self::expected(&self.sweep.signature, &operands, *dialect).basis)
-            .next();
+        let mut dialects = self.sweep.dialects.iter();
+        let basis =
+            dialects.find_map(|dialect| self::expected(&self.sweep.signature, &operands, *dialect).basis);
         Difference {
             place,
             operands,
@@ -117,14 +116,11 @@ impl ComparisonBuffers<'_> {
             if expected == got || (is_nan(result, expected) && is_nan(result, got)) {
                 continue;
             }
-            found.mismatches += 1;
-            if found.first.len() < MAX_DIFFERENCES {
+            found.differ(|| {
                 let operands = self.comparison.sweep.domain.operands(place);
                 let (expected, got) = (Value::plain(result, expected), Value::plain(result, got));
-                found
-                    .first
-                    .push(self.comparison.difference(place, operands, expected, got));
-            }
+                self.comparison.difference(place, operands, expected, got)
+            });
         }
     }
 
@@ -134,12 +130,7 @@ impl ComparisonBuffers<'_> {
         let exact = value(&sweep.signature, &operands, &sweep.choices);
         let got = self.comparison.converter.convert(&operands);
         if exact != got {
-            found.mismatches += 1;
-            if found.first.len() < MAX_DIFFERENCES {
-                found
-                    .first
-                    .push(self.comparison.difference(place, operands, exact, got));
-            }
+            found.differ(|| self.comparison.difference(place, operands, exact, got));
         }
         found.done += 1;
     }
