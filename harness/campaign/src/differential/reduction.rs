@@ -115,7 +115,7 @@ impl DifferentialWorker<'_> {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: FuzzTarget::Differential.name().to_owned(),
+            target: FuzzTarget::Differential.as_str().to_owned(),
             engine: Some(self.oracle.engines[index].info()),
             symptom: mismatch.symptom.clone(),
             rule,

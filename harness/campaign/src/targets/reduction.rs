@@ -38,7 +38,7 @@ impl TargetOracle {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: target.name().to_owned(),
+            target: target.as_str().to_owned(),
             engine: None,
             symptom: mismatch.symptom.clone(),
             rule: small.rule,

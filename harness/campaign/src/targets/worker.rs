@@ -26,7 +26,7 @@ impl TargetOracle {
             Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
             Err(failure) => verdict.mismatches.push(Mismatch {
                 place,
-                subject: target.name().to_owned(),
+                subject: target.as_str().to_owned(),
                 symptom: failure.symptom,
                 rule: Vec::new(),
                 size: input.len(),

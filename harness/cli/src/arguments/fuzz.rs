@@ -112,10 +112,10 @@ pub struct MergeArguments {
 
 fn targets() -> impl TypedValueParser<Value = FuzzTarget> {
     let names = FuzzTarget::ALL
-        .into_iter()
-        .filter(|target| *target != FuzzTarget::Differential);
-    PossibleValuesParser::new(names.map(FuzzTarget::name))
-        .try_map(|name| FuzzTarget::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
+        .iter()
+        .filter(|target| **target != FuzzTarget::Differential);
+    PossibleValuesParser::new(names.map(|target| target.as_str()))
+        .try_map(|name| FuzzTarget::from_word(&name).ok_or_else(|| format!("there is no target `{name}`")))
 }
 
 /// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.

@@ -60,7 +60,7 @@ fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Wr
         [] => TargetOracle::TARGETS.to_vec(),
         named => named.to_vec(),
     };
-    let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.name().to_owned()).collect();
+    let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.as_str().to_owned()).collect();
     let request = CampaignRequest {
         targets: names(&targets),
         ..request(arguments, &Surveyed::default())
@@ -96,7 +96,7 @@ fn campaign_on_engines(
     let under_test: Vec<EngineUnderTest<'_>> = engines.iter().map(under_test).collect();
     let surveyed = surveyed(arguments, &under_test, &dialects)?;
     let request = CampaignRequest {
-        targets: vec![FuzzTarget::Differential.name().to_owned()],
+        targets: vec![FuzzTarget::Differential.as_str().to_owned()],
         engines: engines
             .iter()
             .map(|named| named.identity().name.clone())

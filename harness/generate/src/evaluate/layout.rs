@@ -8,8 +8,8 @@ const MAX_CELLS: usize = 1 << 20;
 
 /// The sizes and offsets of everything that a program declares.
 pub(super) struct Layout {
-    /// The layouts of the declared types.
-    types: Vec<TypeLayout>,
+    /// The offsets in each declared type.
+    types: Vec<Offsets>,
     /// The offsets in each function.
     pub functions: Vec<Offsets>,
     /// The offsets in each function block.
@@ -18,18 +18,12 @@ pub(super) struct Layout {
     pub main: Offsets,
 }
 
-struct TypeLayout {
-    size: usize,
-    /// The offsets of the fields of a structure.
-    fields: Vec<usize>,
-}
-
-/// The offsets of the variables of a program organization unit from its first cell.
+/// The offsets of the variables of a program organization unit, or of the fields of a structure, from its first cell.
 #[derive(Default)]
 pub(super) struct Offsets {
-    /// The offset of each variable.
+    /// The offset of each variable or field.
     pub variables: Vec<usize>,
-    /// The number of cells of all variables.
+    /// The number of cells of all of them.
     pub size: usize,
 }
 
@@ -57,43 +51,24 @@ impl Layout {
         Ok(layout)
     }
 
-    fn declared(&self, kind: &DeclaredKind) -> Evaluated<TypeLayout> {
+    fn declared(&self, kind: &DeclaredKind) -> Evaluated<Offsets> {
+        let one = |size| Offsets {
+            variables: Vec::new(),
+            size,
+        };
         match kind {
-            DeclaredKind::Enumeration(_) => Ok(TypeLayout {
-                size: 1,
-                fields: Vec::new(),
-            }),
-            DeclaredKind::Alias(ty) => Ok(TypeLayout {
-                size: self.size(ty)?,
-                fields: Vec::new(),
-            }),
-            DeclaredKind::Structure(fields) => {
-                let mut size = 0;
-                let mut offsets = Vec::with_capacity(fields.len());
-                for (_, ty, _) in fields {
-                    offsets.push(size);
-                    size = limited(size + self.size(ty)?)?;
-                }
-                Ok(TypeLayout {
-                    size,
-                    fields: offsets,
-                })
-            }
+            DeclaredKind::Enumeration(_) => Ok(one(1)),
+            DeclaredKind::Alias(ty) => self.size(ty).map(one),
+            DeclaredKind::Structure(fields) => laid(fields.iter().map(|(_, ty, _)| self.size(ty))),
         }
     }
 
     fn variables(&self, variables: &[Variable]) -> Evaluated<Offsets> {
-        let mut offsets = Offsets::default();
-        for variable in variables {
-            offsets.variables.push(offsets.size);
+        laid(variables.iter().map(|variable| match variable.section {
             // An in-out has no value of its own, but a cell for the address of its variable.
-            let size = match variable.section {
-                VariableSection::InOut => 1,
-                _ => self.size(&variable.ty)?,
-            };
-            offsets.size = limited(offsets.size + size)?;
-        }
-        Ok(offsets)
+            VariableSection::InOut => Ok(1),
+            _ => self.size(&variable.ty),
+        }))
     }
 
     /// Returns the number of cells of a type.
@@ -116,8 +91,18 @@ impl Layout {
 
     /// Returns the offset of a field from the first cell of its structure.
     pub fn field(&self, structure: usize, field: usize) -> Option<usize> {
-        self.types.get(structure)?.fields.get(field).copied()
+        self.types.get(structure)?.variables.get(field).copied()
     }
+}
+
+/// Returns the offsets of parts of these sizes, one behind the other.
+fn laid(sizes: impl Iterator<Item = Evaluated<usize>>) -> Evaluated<Offsets> {
+    let mut offsets = Offsets::default();
+    for size in sizes {
+        offsets.variables.push(offsets.size);
+        offsets.size = limited(offsets.size + size?)?;
+    }
+    Ok(offsets)
 }
 
 /// Returns the number of elements of an array.

@@ -107,10 +107,7 @@ impl ProgramBuilder<'_, '_> {
         };
         let limit = |number| Expression::literal(from, literals::real(from, number), LiteralForm::Typed);
         let arguments = vec![limit(low), operand, limit(high)];
-        Some(Expression::elementary(
-            from,
-            ExpressionKind::Standard(StandardFunction::Limit, arguments),
-        ))
+        Some(Expression::standard(StandardFunction::Limit, arguments, from))
     }
 
     /// Generates the text of a number.

@@ -81,7 +81,7 @@ impl ProgramBuilder<'_, '_> {
             && let Some(operand) = self.read(&Type::Elementary(ty), true)
         {
             let one = Expression::literal(ty, one(ty), LiteralForm::Typed);
-            return Expression::elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
+            return Expression::standard(Function::Max, vec![operand, one], ty);
         }
         let value = literals::value(ty, &mut self.random);
         let value = if divides(&value) { value } else { one(ty) };
@@ -92,10 +92,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates a minus before a value that contains a variable.
     pub fn negation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let operand = self.varying(ty, depth)?;
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Unary(UnaryOperator::Negate, Box::new(operand)),
-        ))
+        Some(Expression::unary(UnaryOperator::Negate, operand))
     }
 
     /// Generates AND, OR or XOR.
@@ -110,7 +107,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates NOT.
     pub fn complement(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let operand = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
+        Expression::unary(UnaryOperator::Not, operand)
     }
 
     /// Generates a comparison of two operands of any type of the program.
@@ -187,10 +184,7 @@ impl ProgramBuilder<'_, '_> {
             return read;
         }
         let count = self.program.enumerated_values(ty).map_or(0, <[String]>::len);
-        Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Enumerated(self.random.below(count)),
-        }
+        Expression::enumerated(ty, self.random.below(count))
     }
 
     /// Generates a bit of a readable integer or bit string.

@@ -2,7 +2,7 @@
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::scope::{PouRole, contains_text};
+use super::scope::contains_text;
 use crate::model::{AssignmentTarget, Pou, Statement, Type, VariableSection};
 use stickler_types::ElementaryType;
 
@@ -24,7 +24,7 @@ impl ProgramBuilder<'_, '_> {
                 ty => ty,
             };
             let most = 1 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouRole::Function(result.clone()), most);
+            self.begin(most);
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
@@ -61,7 +61,7 @@ impl ProgramBuilder<'_, '_> {
         }
         for number in 0..=self.random.below(2) {
             let most = 2 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouRole::Block, most);
+            self.begin(most);
             for _ in 0..self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);

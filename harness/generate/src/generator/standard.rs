@@ -5,7 +5,7 @@ use super::literals;
 use super::operations::real;
 use super::places::integer;
 use super::type_context::TypeContext;
-use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function};
+use crate::model::{Expression, LiteralForm, StandardFunction as Function};
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {
@@ -15,15 +15,12 @@ impl ProgramBuilder<'_, '_> {
             let count = 2 + self.random.below(2);
             let mut arguments = vec![self.selector(count as i64 - 1)];
             arguments.extend((0..count).map(|_| self.value(ty, TypeContext::Exact, depth)));
-            return Expression::elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
+            return Expression::standard(Function::Mux, arguments, ty);
         }
         let condition = self.value(ElementaryType::Bool, TypeContext::Exact, depth);
         let first = self.value(ty, TypeContext::Exact, depth);
         let second = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Sel, vec![condition, first, second]),
-        )
+        Expression::standard(Function::Sel, vec![condition, first, second], ty)
     }
 
     /// Generates an INT from 0 to a limit.
@@ -47,7 +44,7 @@ impl ProgramBuilder<'_, '_> {
         }
         let arguments = (0..count).map(|_| self.value(ty, TypeContext::Exact, depth));
         let arguments = arguments.collect();
-        Expression::elementary(ty, ExpressionKind::Standard(function, arguments))
+        Expression::standard(function, arguments, ty)
     }
 
     /// Generates LIMIT with a lower limit not above the upper one; no document states the result otherwise.
@@ -61,10 +58,7 @@ impl ProgramBuilder<'_, '_> {
         }
         let [low, high] = limits.map(|limit| Expression::literal(ty, limit, LiteralForm::Typed));
         let inner = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Limit, vec![low, inner, high]),
-        )
+        Expression::standard(Function::Limit, vec![low, inner, high], ty)
     }
 
     /// Generates ABS, of a signed integer limited to exclude the least one, whose negation overflows.
@@ -76,14 +70,11 @@ impl ProgramBuilder<'_, '_> {
                     Expression::literal(ty, Value::plain(ty, ty.wrap(number)), LiteralForm::Typed)
                 };
                 let arguments = vec![limit(least + 1), operand, limit(greatest)];
-                Expression::elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
+                Expression::standard(Function::Limit, arguments, ty)
             }
             _ => operand,
         };
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Abs, vec![operand]),
-        ))
+        Some(Expression::standard(Function::Abs, vec![operand], ty))
     }
 
     /// Generates SHL, SHR, ROL or ROR by fewer bits than the type has; with open constructs sometimes by more.
@@ -104,16 +95,13 @@ impl ProgramBuilder<'_, '_> {
         } else {
             self.selector(most)
         };
-        Expression::elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
+        Expression::standard(function, vec![operand, count], ty)
     }
 
     /// Generates LEN.
     pub fn length(&mut self, depth: usize) -> Expression {
         let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
-        Expression::elementary(
-            ElementaryType::Int,
-            ExpressionKind::Standard(Function::Len, vec![operand]),
-        )
+        Expression::standard(Function::Len, vec![operand], ElementaryType::Int)
     }
 
     /// Generates CONCAT of a text and a literal.
@@ -125,7 +113,7 @@ impl ProgramBuilder<'_, '_> {
         } else {
             vec![text, more]
         };
-        Expression::elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
+        Expression::standard(Function::Concat, arguments, ty)
     }
 }
 

@@ -81,9 +81,10 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         });
     }
 
-    /// Replaces the expression with a number, keeping its type field.
-    pub fn replace(&mut self, number: usize, kind: ExpressionKind) {
+    /// Replaces the expression with a number, keeping its type field. Always `Some`, as the result of a kind that is planted.
+    pub fn replace(&mut self, number: usize, kind: ExpressionKind) -> Option<()> {
         self.change(number, |expression| expression.kind = kind);
+        Some(())
     }
 
     /// Inserts a statement into a list that satisfies a predicate on its unit and on whether a loop encloses it.

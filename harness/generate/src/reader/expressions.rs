@@ -57,10 +57,8 @@ impl Reader<'_> {
         if own.ty == *wanted {
             return Some(own);
         }
-        self.widens(&own.ty, wanted).then(|| Expression {
-            ty: wanted.clone(),
-            kind: ExpressionKind::Widen(Box::new(own)),
-        })
+        self.widens(&own.ty, wanted)
+            .then(|| Expression::widened(wanted.clone(), own))
     }
 
     fn widens(&self, from: &Type, into: &Type) -> bool {

@@ -102,10 +102,7 @@ fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement 
 
 /// Creates `NOT condition`.
 pub(super) fn not(condition: &Expression) -> Expression {
-    Expression {
-        ty: condition.ty.clone(),
-        kind: ExpressionKind::Unary(UnaryOperator::Not, Box::new(condition.clone())),
-    }
+    Expression::unary(UnaryOperator::Not, condition.clone())
 }
 
 /// Counts statements, including those inside them.

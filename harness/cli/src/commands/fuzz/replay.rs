@@ -116,8 +116,10 @@ fn write_judged(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match judged {
-        Ok(InputOutcome::Checked) => writeln!(out, "{name}: {} holds", target.name()),
-        Ok(InputOutcome::Skipped(word)) => writeln!(out, "{name}: {} passed it over: {word}", target.name()),
-        Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.name()),
+        Ok(InputOutcome::Checked) => writeln!(out, "{name}: {} holds", target.as_str()),
+        Ok(InputOutcome::Skipped(word)) => {
+            writeln!(out, "{name}: {} passed it over: {word}", target.as_str())
+        }
+        Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.as_str()),
     }
 }

@@ -208,8 +208,7 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             ExpressionKind::Raw(PLANTED.to_owned())
         }
     };
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Plants a constant as argument of a VAR_IN_OUT.

@@ -105,8 +105,7 @@ pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.replace(
         number,
         ExpressionKind::Raw(format!("{from}_TO_{into}({arguments})")),
-    );
-    Some(())
+    )
 }
 
 /// Returns the inputs of a function with their elementary types.
@@ -168,8 +167,7 @@ fn call(
     })?;
     let function = fault.choose(fitting(site, &expression))?;
     let text = format!("{}({})", function.name, arguments(function));
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Plants an argument by a name that the function does not have.

@@ -154,8 +154,7 @@ fn no_integer(
     let from = fault.choose(types(dialect).filter(|&ty| wrong(ty, dialect)).collect())?;
     let shape = fault.choose(vec![MisfitForm::Variable, MisfitForm::Operation])?;
     let kind = value(fault, site.unit, from, shape)?;
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Returns whether a type converts implicitly to no integer type. If it converts, as bit strings and durations do in some
@@ -175,8 +174,7 @@ pub(super) fn standard(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let wrong = types(dialect).filter(|&ty| takes(site.context, ty, dialect) == Some(false));
     let from = fault.choose(wrong.collect())?;
     let kind = fault.variable(site.unit, from)?;
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Plants an argument that its parameter does not take in a call of a standard function that is the whole value assigned or

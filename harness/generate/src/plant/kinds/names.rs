@@ -20,8 +20,7 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         (in_out || stands_for_any_value(site, expression))
             && original.enumerated_values(&expression.ty).is_none()
     })?;
-    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()))
 }
 
 /// Plants a field that the structure does not have, or a variable that is no output of the function block.
@@ -44,8 +43,7 @@ pub(super) fn field(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         .map(|variable| &variable.name)
         .collect();
     let name = fault.choose(names)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")))
 }
 
 fn has_fields(program: &Program, ty: &Type) -> bool {
@@ -60,8 +58,7 @@ pub(super) fn function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let names = ["PLANTED", "INT_TO_DNIT", "TO_DIMT", "BDC_TO_INT", "ITN_TO_REAL"];
     let name = fault.choose(names.to_vec())?;
     let arguments = fault.choose(vec!["INT#1", "BOOL#TRUE", "INT#1, DINT#2", "(INT#3 + INT#4)"])?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")))
 }
 
 /// Plants a call of a variable that is no instance of a function block.
@@ -88,8 +85,7 @@ pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         return None;
     };
     let name = &original.types.get(declared)?.name;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")))
 }
 
 fn is_enumerated(program: &Program, expression: &Expression) -> bool {
@@ -125,8 +121,7 @@ pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         return None;
     };
     let value = fault.choose(values.iter().collect())?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")))
 }
 
 /// Plants a variable that is declared twice.
@@ -253,6 +248,5 @@ pub(super) fn initial(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             && site.unit != Unit::Types
             && elementary(original, &expression.ty).is_some()
     })?;
-    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()))
 }
