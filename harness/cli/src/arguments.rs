@@ -1,8 +1,5 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
-mod bless;
-mod compare;
-mod completions;
 mod conversions;
 mod engines;
 mod export;
@@ -10,28 +7,26 @@ mod fuzz;
 mod numbers;
 mod record;
 mod reduce;
+mod reports;
 mod reproduce;
 mod run;
-mod site;
 mod sources;
 
-pub use bless::BlessArguments;
-pub use compare::CompareArguments;
-pub use completions::CompletionsArguments;
 pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArguments, SweepArguments};
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
+pub use reports::{BlessArguments, CompareArguments, SiteArguments};
 pub use reproduce::ReproduceArguments;
 pub use run::RunArguments;
-pub use site::SiteArguments;
 pub use sources::{ChangesArguments, SourcesArguments};
 
-use crate::exit::ExitCodeListing;
+use crate::exit;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use numbers::whole;
 use std::path::PathBuf;
 use stickler_types::{ClockSetting, DialectName, Value};
@@ -257,6 +252,14 @@ pub struct ExplainArguments {
     pub code: Option<String>,
 }
 
+/// `stickler completions`.
+#[derive(Args, Debug)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub shell: Shell,
+}
+
 /// Parses a duration that is no less than none: its nanoseconds.
 fn duration(text: &str) -> Result<i64, String> {
     let value = Value::parse(text).ok();
@@ -265,6 +268,22 @@ fn duration(text: &str) -> Result<i64, String> {
     nanoseconds
         .filter(|nanoseconds| *nanoseconds >= 0)
         .ok_or_else(|| "expected a duration of 0 or more, such as T#10ms".to_owned())
+}
+
+/// Parses one of some values by its name.
+fn one_of<T>(
+    all: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let all: Vec<T> = all.into_iter().collect();
+    let names: Vec<&str> = all.iter().copied().map(name).collect();
+    PossibleValuesParser::new(names).try_map(move |word| {
+        let named = all.iter().copied().find(|one| name(*one) == word);
+        named.ok_or("nothing has this name")
+    })
 }
 
 /// The dialects that there are now: those of stickler.toml once that file was read.
@@ -285,10 +304,8 @@ fn dialects() -> impl TypedValueParser<Value = DialectName> {
 }
 
 fn top_level_help() -> String {
-    format!(
-        "{}\n{ExitCodeListing}",
-        include_str!("arguments/examples/top-level.txt")
-    )
+    let examples = include_str!("arguments/examples/top-level.txt");
+    format!("{examples}\n{}", exit::listing())
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use super::numbers::whole;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use stickler_export::ExtraCases;
 use stickler_types::DialectName;
@@ -33,7 +32,7 @@ pub struct ExportArguments {
     pub cases_per_page: u16,
     /// Beside programs that must be accepted, also those that no document decides about (`open`), or those that must be
     /// rejected (`rejected`), whose pages are only compiled: on pages of their own; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = kinds(), hide_possible_values = true)]
+    #[arg(long, value_name = "KIND", value_parser = super::one_of(ExtraCases::ALL, ExtraCases::as_str), hide_possible_values = true)]
     pub with: Vec<ExtraCases>,
     /// Leave out the case of this id; may be repeated
     #[arg(long, value_name = "CASE")]
@@ -92,11 +91,4 @@ pub struct ImportArguments {
     /// The day of the recording, such as 2026-11-24 [default: today]
     #[arg(long, value_name = "DATE", requires = "record")]
     pub date: Option<String>,
-}
-
-fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
-    PossibleValuesParser::new(ExtraCases::ALL.map(ExtraCases::as_str)).map(|word| match word.as_str() {
-        "open" => ExtraCases::Open,
-        _ => ExtraCases::Rejected,
-    })
 }

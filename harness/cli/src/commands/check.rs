@@ -2,7 +2,7 @@
 
 use crate::arguments::CheckArguments;
 use crate::exit::Exit;
-use crate::{snippet, source_file};
+use crate::{output, snippet, source_file};
 use std::io::Write;
 use stickler_engines::protocol::Reply;
 use stickler_types::Outcome;
@@ -24,8 +24,7 @@ pub fn execute(arguments: &CheckArguments, out: &mut dyn Write) -> anyhow::Resul
         _ => Exit::AsExpected,
     };
     if arguments.json {
-        serde_json::to_writer(&mut *out, &Reply::from_outcome(0, outcome))?;
-        writeln!(out)?;
+        output::json_line(out, &Reply::from_outcome(0, outcome))?;
     } else if exit == Exit::AsExpected {
         writeln!(out, "{path}: {outcome} in {dialect}")?;
     }

@@ -22,7 +22,7 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     let (bytes, path) = source_file::read(&arguments.source.file)?;
     let dialect = arguments.source.dialect;
     let (text, diagnostics) = stickler_reference::check_bytes(&bytes, dialect);
-    snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+    snippet::write(&diagnostics, &text, &path, &mut anstream::stderr())?;
     if diagnostics.iter().any(Diagnostic::is_error) {
         return Ok(Exit::Failures);
     }
@@ -51,7 +51,7 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
             Ok(Exit::Failures)
         }
         Ok(Outcome::Rejected { diagnostics }) => {
-            snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+            snippet::write(&diagnostics, &text, &path, &mut anstream::stderr())?;
             Ok(Exit::Failures)
         }
         Ok(other) => bail!("the reference answered {other}"),

@@ -26,8 +26,8 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
         filter: arguments.filter.clone().into_iter().collect(),
-        exclude: Vec::new(),
         dialect: vec![arguments.dialect],
+        ..SelectionArguments::default()
     };
     let plan = run_plan::plan(&selection, None);
     let Loaded { suite, defined, .. } = folder.load_for(&plan, &[])?;
@@ -106,10 +106,7 @@ fn export_plan(arguments: &ExportArguments, selected: &[&Case]) -> ExportPlan {
 }
 
 fn exit(exported: &Exported) -> Exit {
-    match exported.cases {
-        0 => Exit::NothingTested,
-        _ => Exit::AsExpected,
-    }
+    Exit::NothingTested.when(exported.cases == 0)
 }
 
 /// Returns the plan of a project file that is created now.

@@ -1,10 +1,11 @@
 //! Tests real compilers behind their adapters by `tests/compilers.md`. Where a compiler is not installed, its test says so and passes.
 
-use crate::fixture::{Asked, Section, fits, sections, shown};
+use crate::fixture::{Asked, Section, sections, shown};
 use std::io::Write;
 use stickler_engines::{
     Compiler, DependencyPaths, DescribedEngine, Description, Engine, Observation, Outcome, Packed, RunRequest,
 };
+use stickler_mdtest::fits;
 
 /// Returns the compiler's engine; prints why it is skipped where there is none.
 pub fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {

@@ -1,12 +1,13 @@
 //! Tests the wire protocol by conversations: those of `tests/conversations/*.md` and of the README, and texts that are no lines.
 
-use crate::fixture::{fits, sections};
+use crate::fixture::sections;
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use stickler_engines::protocol::serve;
 use stickler_engines::{
     Ability, Engine, EngineError, Grade, Identity, Outcome, Reference, RunRequest, Session,
 };
+use stickler_mdtest::fits;
 use stickler_types::{DialectName, Fault, Value};
 
 /// An engine that answers with the request it got, and panics where the source says so.

@@ -231,26 +231,3 @@ fn with_diagnostics(mut line: String, diagnostics: &[Diagnostic]) -> String {
     }
     line
 }
-
-/// Tells whether a text is as expected; `…` stands for anything.
-pub fn fits(expected: &str, text: &str) -> bool {
-    let mut parts = expected.split('…');
-    let Some(mut rest) = text.strip_prefix(parts.next().unwrap_or_default()) else {
-        return false;
-    };
-    let parts: Vec<&str> = parts.collect();
-    let Some((last, middle)) = parts.split_last() else {
-        return rest.is_empty();
-    };
-    for part in middle {
-        let Some(at) = rest.find(part) else { return false };
-        rest = &rest[at + part.len()..];
-    }
-    rest.ends_with(last)
-}
-
-#[test]
-fn three_points_stand_for_anything_and_nothing_else_is_left_out() {
-    assert!(fits("a…c…", "abc") && fits("…", "") && fits("ab", "ab"));
-    assert!(!fits("a…c", "abcd") && !fits("a", "ab") && !fits("b…", "ab") && !fits("ab…b", "ab"));
-}

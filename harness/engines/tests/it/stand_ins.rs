@@ -1,6 +1,6 @@
 //! Tests engines with scripts that stand in for their programs: `tests/stand-ins/*.md`, which [`fixture`](crate::fixture) reads.
 
-use crate::fixture::{Asked, Block, Section, Test, fits, sections, shown};
+use crate::fixture::{Asked, Block, Section, Test, sections, shown};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -9,6 +9,7 @@ use stickler_engines::{
     Compiler, DependencyPaths, DescribedEngine, Description, Engine, Grade, Outcome, Packed, ProcessEngine,
     ProcessLimits,
 };
+use stickler_mdtest::fits;
 use tempfile::TempDir;
 
 /// Limits that suffice on a busy machine; a section with a program that hangs has shorter ones.
