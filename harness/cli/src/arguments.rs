@@ -7,6 +7,7 @@ mod conversions;
 mod engines;
 mod export;
 mod fuzz;
+mod judge;
 mod numbers;
 mod record;
 mod reduce;
@@ -22,6 +23,7 @@ pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArgum
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+pub use judge::JudgeArguments;
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
@@ -82,6 +84,9 @@ pub enum Command {
     /// Execute one file on the reference and print the final values
     #[command(after_help = include_str!("arguments/examples/eval.txt"))]
     Eval(EvalArguments),
+    /// Execute a program, function block or function on traces, and compare what comes out with what they expect
+    #[command(after_help = include_str!("arguments/examples/judge.txt"))]
+    Judge(JudgeArguments),
     /// Print one file in the normalised form of the reference
     #[command(after_help = include_str!("arguments/examples/render.txt"))]
     Render(SourceArguments),
