@@ -4,6 +4,7 @@ mod conversions;
 mod engines;
 mod export;
 mod fuzz;
+mod judge;
 mod numbers;
 mod record;
 mod reduce;
@@ -16,6 +17,7 @@ pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArgum
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+pub use judge::JudgeArguments;
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reports::{BlessArguments, CompareArguments, SiteArguments};
@@ -77,6 +79,9 @@ pub enum Command {
     /// Execute one file on the reference and print the final values
     #[command(after_help = include_str!("arguments/examples/eval.txt"))]
     Eval(EvalArguments),
+    /// Execute a program, function block or function on traces, and compare what comes out with what they expect
+    #[command(after_help = include_str!("arguments/examples/judge.txt"))]
+    Judge(JudgeArguments),
     /// Print one file in the normalised form of the reference
     #[command(after_help = include_str!("arguments/examples/render.txt"))]
     Render(SourceArguments),

@@ -12,9 +12,13 @@ pub struct ExportArguments {
     /// The folder to write: an empty one, one that is not there yet, or that of an earlier export, which is replaced
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// The dialect of the cases
-    #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
-    pub dialect: DialectName,
+    /// The dialect of the cases; with --plain it may be left out, for all of them
+    #[arg(long, value_name = "DIALECT", value_parser = super::dialects(), required_unless_present = "plain")]
+    pub dialect: Option<DialectName>,
+    /// Instead of pages, write cases.jsonl, one line of JSON for each case, and a file of Structured Text for each that can be
+    /// tried by hand
+    #[arg(long, conflicts_with_all = ["recording", "cases_per_page", "with", "panes", "plcopen", "without", "sample"])]
+    pub plain: bool,
     /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
