@@ -50,6 +50,7 @@ mod table;
 mod template;
 #[cfg(test)]
 mod tests;
+mod timing;
 mod toml_text;
 mod unmarked;
 mod withdrawn;

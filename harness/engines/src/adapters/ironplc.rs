@@ -25,6 +25,7 @@ use crate::{Diagnostic, Identity, NamedValue, NoReproduction, Outcome, RunReques
 use dump::Dump;
 use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use stickler_types::{DialectName, Fault};
 use texts::ReadableTexts;
@@ -115,7 +116,7 @@ impl Adapter for Ironplc {
     }
 
     fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
-        takes_no_settings(request)?;
+        takes_no_clock(request)?;
         let readbacks = Readbacks::of(request, RunHints::default());
         let text = with_shown_probes(request, main, readbacks.probes())?;
         Ok(execution(request, &text, &readbacks)?)
@@ -158,16 +159,14 @@ impl Adapter for Ironplc {
     }
 }
 
-/// Checks that a request needs nothing between scans.
+/// Checks that a request sets no clock: the virtual machine's is that of the machine.
 ///
 /// # Errors
 /// [`Outcome::Unsupported`] where it does.
-fn takes_no_settings(request: &RunRequest<'_>) -> Result<(), Outcome> {
-    match request.clock.is_empty() && request.set.is_empty() {
+fn takes_no_clock(request: &RunRequest<'_>) -> Result<(), Outcome> {
+    match request.clock.is_empty() {
         true => Ok(()),
-        false => Err(unsupported(
-            "ironplcvm takes neither a clock nor values between scans",
-        )),
+        false => Err(unsupported("ironplcvm takes no clock")),
     }
 }
 
@@ -177,7 +176,7 @@ fn run_with(
     request: &RunRequest<'_>,
     hints: RunHints,
 ) -> Result<Outcome, Outcome> {
-    takes_no_settings(request)?;
+    takes_no_clock(request)?;
     let mut readbacks = Readbacks::of(request, hints);
     loop {
         let compiled = |text: &str| {
@@ -267,13 +266,16 @@ fn outcome(
     readbacks: &Readbacks,
 ) -> Result<RunResult, Outcome> {
     let last = execute(workplace, recipe, request.scans)?;
+    let mut earlier = BTreeMap::new();
+    for scan in observed_scans(request) {
+        if scan != request.scans {
+            earlier.insert(scan, execute(workplace, recipe, scan)?);
+        }
+    }
     let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
     for asked in request.observe {
-        let earlier = match asked.after {
-            Some(scan) if scan != request.scans => Some(execute(workplace, recipe, scan)?),
-            _ => None,
-        };
-        match earlier.as_ref().unwrap_or(&last) {
+        let earlier = asked.after.and_then(|scan| earlier.get(&scan));
+        match earlier.unwrap_or(&last) {
             ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
                 Ok(value) => values.push((asked.key().to_string(), value)),
                 Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
