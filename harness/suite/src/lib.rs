@@ -51,6 +51,7 @@ mod template;
 #[cfg(test)]
 mod tests;
 mod timing;
+mod timing_diagram;
 mod toml_text;
 mod unmarked;
 mod withdrawn;
