@@ -207,8 +207,9 @@ fn partial_access(written: &str) -> &'static str {
     }
 }
 
-/// Returns the feature of a standard function block; `None` for other names.
-fn standard_block(name: &str) -> Option<&'static str> {
+/// Returns the key of the feature of a standard function block, such as `TON` and `CTU_DINT`; `None` for other names.
+#[must_use]
+pub fn standard_block(name: &str) -> Option<&'static str> {
     let name = name.to_ascii_uppercase();
     let (family, of_type) = name.rsplit_once('_').unwrap_or((&name, ""));
     match (family, of_type) {

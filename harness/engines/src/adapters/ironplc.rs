@@ -19,6 +19,7 @@ use super::fingerprint::Fingerprint;
 use super::locate::{failed, faulted, unsupported};
 use super::probe_variable::{translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::settings::copied_by_scan;
 use super::source::{MainProgram, main_program, observed_scans};
 use crate::process::Ended;
 use crate::{Diagnostic, Identity, NamedValue, NoReproduction, Outcome, RunRequest};
@@ -130,7 +131,25 @@ impl Adapter for Ironplc {
     /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let unreadable = self.texts.unreadable(workplace, request);
-        run_with(workplace, request, RunHints::without(unreadable))
+        let Some(copied) = copied_by_scan(request) else {
+            return run_with(workplace, request, RunHints::without(unreadable));
+        };
+        let with_copies = RunRequest {
+            source: &copied.text,
+            observe: &copied.observe,
+            ..*request
+        };
+        match run_with(workplace, &with_copies, RunHints::without(unreadable.clone())) {
+            Ok(Outcome::Executed { values, warnings }) => {
+                let named = request.observe.iter().zip(values);
+                let named = named
+                    .map(|(asked, (_, value))| (asked.key().to_string(), value))
+                    .collect();
+                Ok(Outcome::executed(named).with_warnings(warnings))
+            }
+            // What it does without the copies is its own.
+            _ => run_with(workplace, request, RunHints::without(unreadable)),
+        }
     }
 
     fn check(

@@ -1,13 +1,14 @@
 //! Writes what a request sets between scans into its program, for compilers whose variables are not written from outside.
 //!
-//! A variable counts the scans, and the body of the main program begins with the assignments of its scan. No line moves.
+//! A variable counts the scans, and the body of the main program begins with the assignments of its scan. No line moves. In the same way values of
+//! many scans are copied at the end of the body, for compilers that show variables only once.
 
 use super::locate::unsupported;
-use super::source::main_program;
-use crate::{Outcome, RunRequest};
+use super::source::{main_program, observed_scans};
+use crate::{Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use stickler_types::Value;
+use stickler_types::{ElementaryType, Value};
 
 /// The variable that counts the scans.
 const SCAN: &str = "stickler_scan";
@@ -24,10 +25,7 @@ pub(super) fn with_settings(request: &RunRequest<'_>) -> Option<String> {
         let statements = by_scan.entry(setting.before).or_default();
         let _ = write!(statements, " {} := {};", setting.name, literal(&setting.value));
     }
-    let cases: String = by_scan
-        .iter()
-        .map(|(scan, statements)| format!(" {scan}:{statements}"))
-        .collect();
+    let cases = cases(&by_scan);
     let source = request.source;
     Some(format!(
         "{} VAR {SCAN} : DINT; END_VAR{} {SCAN} := {SCAN} + 1; CASE {SCAN} OF{cases} END_CASE;{}",
@@ -47,6 +45,52 @@ pub(super) fn written<'t>(request: &RunRequest<'t>, text: Option<&'t String>) ->
         },
         None => *request,
     }
+}
+
+/// The number of scans after which values are observed, from which on it is quicker to copy them than to run the program for each.
+const MANY_SCANS: usize = 4;
+
+/// A program that copies the values of its scans into variables.
+pub(super) struct CopiedByScan {
+    /// The text of the program.
+    pub(super) text: String,
+    /// The copies, in the order of the values that the request observes.
+    pub(super) observe: Vec<Observation>,
+}
+
+/// Returns the program of a request with copies of the values that are observed after many scans; `None` where there are few, or a value is of no
+/// elementary type, or the program may return before its end.
+pub(super) fn copied_by_scan(request: &RunRequest<'_>) -> Option<CopiedByScan> {
+    let main =
+        main_program(request).filter(|main| !main.returns && observed_scans(request).len() > MANY_SCANS)?;
+    let (mut declared, mut by_scan) = (String::new(), BTreeMap::<u32, String>::new());
+    let mut observe = Vec::with_capacity(request.observe.len());
+    for (number, asked) in request.observe.iter().enumerate() {
+        ElementaryType::from_name(&asked.type_name)?;
+        let copy = format!("stickler_copy_{number}");
+        // Writing into a String does not fail.
+        let _ = write!(declared, " {copy} : {};", asked.type_name);
+        let statements = by_scan.entry(asked.after.unwrap_or(request.scans)).or_default();
+        let _ = write!(statements, " {copy} := {};", asked.name);
+        observe.push(Observation::last(&copy, &asked.type_name));
+    }
+    let cases = cases(&by_scan);
+    let source = request.source;
+    let text = format!(
+        "{} VAR stickler_scan_copied : DINT;{declared} END_VAR{} stickler_scan_copied := stickler_scan_copied + 1; CASE stickler_scan_copied OF{cases} END_CASE; {}",
+        &source[..main.inside.start],
+        &source[main.inside.clone()],
+        &source[main.inside.end..],
+    );
+    Some(CopiedByScan { text, observe })
+}
+
+/// Returns the branches of CASE of the statements of scans.
+fn cases(by_scan: &BTreeMap<u32, String>) -> String {
+    by_scan
+        .iter()
+        .map(|(scan, statements)| format!(" {scan}:{statements}"))
+        .collect()
 }
 
 /// Executes a program by `run` with what is set in it. Where the compiler does not accept that, the program is given to `check` alone, to
@@ -114,6 +158,19 @@ mod tests {
             bare,
             format!("PROGRAM p VAR stickler_scan : DINT; END_VAR{assigned} END_PROGRAM")
         );
+        let observe = [1, 2, 3, 4, 5].map(|scan| Observation {
+            after: Some(scan),
+            ..Observation::last("x", "INT")
+        });
+        let source = "PROGRAM p\nx := x + 1;\nEND_PROGRAM";
+        let request = RunRequest {
+            scans: 6,
+            ..RunRequest::once(DialectName::MATIEC, source, &observe)
+        };
+        let copied = copied_by_scan(&request).unwrap();
+        assert_eq!(&*copied.observe[4].name, "stickler_copy_4");
+        assert!(copied.text.contains("x := x + 1;\n stickler_scan_copied := stickler_scan_copied + 1; CASE stickler_scan_copied OF 1: stickler_copy_0 := x; 2:"));
+        assert!(copied_by_scan(&RunRequest::once(DialectName::MATIEC, source, &observe[..1])).is_none());
         assert_eq!(of("FUNCTION f : INT END_FUNCTION"), None);
     }
 }
