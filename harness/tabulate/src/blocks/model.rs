@@ -83,7 +83,8 @@ impl Block {
         }
     }
 
-    /// Returns the literals of the outputs after what was seen, whose last scan is now; `range` is that of what a counter counts.
+    /// Returns the literals of the outputs after what was seen, whose last scan is now, and `-` for what no source says; `range` is that of what a
+    /// counter counts.
     pub(super) fn outputs_after(self, seen: &[Inputs], rule: Rule, range: (i128, i128)) -> Vec<String> {
         let preset = seen.last().map_or(0, |now| now.preset);
         let bit = |is_on: bool| String::from(if is_on { "1" } else { "0" });
@@ -104,7 +105,16 @@ impl Block {
             }
             Ton => timed(on_delay(seen)),
             Tof => timed(off_delay(seen)),
-            Tp => timed(pulse(seen)),
+            Tp => {
+                let mut told = pulses(seen).into_iter().map(timed);
+                let first = told.next().unwrap_or_default();
+                told.fold(first, |one, other| {
+                    let agreed = one.into_iter().zip(other);
+                    agreed
+                        .map(|(one, other)| if one == other { one } else { "-".to_owned() })
+                        .collect()
+                })
+            }
         }
     }
 }
@@ -207,19 +217,29 @@ fn off_delay(seen: &[Inputs]) -> (bool, i128) {
     }
 }
 
-/// Returns output and elapsed time of a pulse, which begins with a rising edge where none is under way, and lasts PT.
-fn pulse(seen: &[Inputs]) -> (bool, i128) {
-    let mut begun: Option<i128> = None;
+/// Returns what output and elapsed time of a pulse may be, which begins with a rising edge where none is under way, and lasts PT. Where an edge is
+/// seen in the scan in which a pulse is seen to have ended, no source says which came first: a pulse begins, or none does.
+fn pulses(seen: &[Inputs]) -> Vec<(bool, i128)> {
+    let mut begun: Vec<Option<i128>> = vec![None];
     for (scan, one) in seen.iter().enumerate() {
-        let is_under_way = begun.is_some_and(|begun| one.at - begun < one.preset);
-        if !is_under_way && rises(&seen[..=scan], 0, false) {
-            begun = Some(one.at);
+        let is_under_way = |begun: Option<i128>, at: i128| begun.is_some_and(|begun| at - begun < one.preset);
+        if rises(&seen[..=scan], 0, false) {
+            let before = scan.checked_sub(1).map_or(one.at, |last| seen[last].at);
+            let stay = begun.iter().copied().filter(|begun| is_under_way(*begun, before));
+            let mut next: Vec<Option<i128>> = stay.collect();
+            if !begun.iter().all(|begun| is_under_way(*begun, one.at)) {
+                next.push(Some(one.at));
+            }
+            begun = next;
         }
     }
-    let Some(now) = seen.last() else { return (false, 0) };
-    match begun.map(|begun| now.at - begun) {
-        Some(passed) if passed < now.preset => (true, passed),
-        Some(_) if now.bits[0] => (false, now.preset),
-        _ => (false, 0),
-    }
+    let Some(now) = seen.last() else { return Vec::new() };
+    let told = begun
+        .into_iter()
+        .map(|begun| match begun.map(|begun| now.at - begun) {
+            Some(passed) if passed < now.preset => (true, passed),
+            Some(_) if now.bits[0] => (false, now.preset),
+            _ => (false, 0),
+        });
+    told.collect()
 }

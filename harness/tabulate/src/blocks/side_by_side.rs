@@ -12,9 +12,9 @@ const SCANS: usize = 6;
 /// behind the first; before the others pass all times in turn.
 ///
 /// The bits of `output`, `three` and `five` tell of each instance whether its output is TRUE, and whether its elapsed time is 3 or 5 seconds; no
-/// other time than these and 0 is there. What the first scans of a sequence give is told once.
+/// other time than these and 0 is there. `known` has the bits of those instances of which the model says what comes; the others are 0. What the first scans of a sequence give is told once.
 pub(super) fn side_by_side(block: Block, passed: &[i128], preset: i128) -> String {
-    let mut text = String::from("clock scan | output three five\n");
+    let mut text = String::from("clock scan known | output three five\n");
     let free = SCANS - 1 - passed.len();
     let mut at = 0;
     for number in 0..PASSED.len().pow(free as u32) {
@@ -27,7 +27,7 @@ pub(super) fn side_by_side(block: Block, passed: &[i128], preset: i128) -> Strin
             .collect();
         // A sequence begins when all timers are at rest.
         let rest = [at + 1, at + 1 + 2 * preset];
-        let _ = writeln!(text, "{}s 0 | - - -\n{}s 0 | - - -", rest[0], rest[1]);
+        let _ = writeln!(text, "{}s 0 - | - - -\n{}s 0 - | - - -", rest[0], rest[1]);
         at = rest[1];
         let mut times = Vec::new();
         for (scan, step) in steps.iter().enumerate() {
@@ -37,11 +37,11 @@ pub(super) fn side_by_side(block: Block, passed: &[i128], preset: i128) -> Strin
             let _ = match is_told {
                 true => writeln!(
                     text,
-                    "{at}s {} | {}",
+                    "{at}s {} {}",
                     scan + 1,
                     outputs(block, &times, rest, number > 0, preset)
                 ),
-                false => writeln!(text, "{at}s {} | - - -", scan + 1),
+                false => writeln!(text, "{at}s {} - | - - -", scan + 1),
             };
         }
     }
@@ -50,7 +50,7 @@ pub(super) fn side_by_side(block: Block, passed: &[i128], preset: i128) -> Strin
 
 /// Returns the bits of all instances after scans at these times, behind a `rest` and, where `is_later`, other sequences.
 fn outputs(block: Block, times: &[i128], rest: [i128; 2], is_later: bool, preset: i128) -> String {
-    let mut bits = [0_u64; 3];
+    let mut bits = [0_u64; 4];
     for instance in 0..64_u64 {
         let seen = |at: i128, is_on: bool| Inputs {
             at,
@@ -67,11 +67,12 @@ fn outputs(block: Block, times: &[i128], rest: [i128; 2], is_later: bool, preset
         let told = block.outputs_after(&past, Rule::Standard, (0, 0));
         for (bits, is_set) in bits
             .iter_mut()
-            .zip([told[0] == "1", told[1] == "3s", told[1] == "5s"])
+            .zip([told[0] == "1", told[1] == "3s", told[1] == "5s", true])
         {
-            *bits |= u64::from(is_set) << instance;
+            let is_known = !told.iter().any(|output| output == "-");
+            *bits |= u64::from(is_set && is_known) << instance;
         }
     }
-    let [output, three, five] = bits.map(|bits| format!("16#{bits:016X}"));
-    format!("{output} {three} {five}")
+    let [output, three, five, known] = bits.map(|bits| format!("16#{bits:016X}"));
+    format!("{known} | {output} {three} {five}")
 }
