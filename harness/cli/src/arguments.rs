@@ -197,6 +197,9 @@ pub struct ShowArguments {
     /// The case's id, with or without `@dialect`
     #[arg(value_name = "CASE")]
     pub case: String,
+    /// Draw the scans up to N of a case with many, such as N of a value `count@N` [default: the first ones]
+    #[arg(long, value_name = "N")]
+    pub scan: Option<u32>,
     /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,

@@ -50,7 +50,7 @@ pub(crate) fn with_blocks(
     let named: BTreeSet<String> = named.collect();
     let own = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
     let own = |name: &String| own.and_then(|text| cut(text, name)).map(str::to_owned);
-    let block = |name: &String| own(name).or_else(|| block(name));
+    let block = |name: &String| own(name).or_else(|| block(name, dialect));
     let blocks: Vec<String> = named.iter().filter_map(block).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
         let mut blocks = blocks.iter();
@@ -61,8 +61,17 @@ pub(crate) fn with_blocks(
     (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
 }
 
-/// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`; `None` for other names.
-fn block(name: &str) -> Option<String> {
+/// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`, as a dialect has it; `None` for
+/// other names.
+fn block(name: &str, dialect: &Dialect) -> Option<String> {
+    let own = |text: &str| match name {
+        "F_TRIG" if !dialect.first_call_falls => text.replace("M : BOOL;", "M : BOOL := TRUE;"),
+        _ if dialect.counters_stop_at_preset => {
+            let text = text.replace("CV < INT#32767", "CV < PV");
+            text.replace("CV > INT#-32768", "CV > INT#0")
+        }
+        _ => text.to_owned(),
+    };
     let typed = name.rsplit_once('_').and_then(|(block, ty)| {
         let ty = ElementaryType::from_name(ty)?;
         Some((block, ty))
@@ -70,7 +79,7 @@ fn block(name: &str) -> Option<String> {
     match typed {
         Some((block, ty)) if COUNTED.contains(&ty) && block.starts_with("CT") => {
             let (least, greatest) = ty.integer_range()?;
-            let text = written(block)?.replace("INT#-32768", "{least}");
+            let text = own(written(block)?).replace("INT#-32768", "{least}");
             let text = text.replace("INT#32767", "{greatest}").replace("INT", ty.name());
             let text = text.replace("{least}", &format!("{}#{least}", ty.name()));
             let text = text.replace("{greatest}", &format!("{}#{greatest}", ty.name()));
@@ -81,7 +90,7 @@ fn block(name: &str) -> Option<String> {
             let text = written(block)?.replace("TIME", ty.name());
             Some(text.replace(CLOCKS[0].1, clock).replacen(block, name, 1))
         }
-        _ => written(name).map(str::to_owned),
+        _ => written(name).map(own),
     }
 }
 

@@ -13,6 +13,8 @@ pub(crate) struct Assembly {
     pub(crate) observe: Arc<[Observation]>,
     pub(crate) set: Arc<[Setting]>,
     pub(crate) clock: Arc<[ClockSetting]>,
+    /// The number of scans that the program runs.
+    pub(crate) scans: u32,
 }
 
 impl Assembly {

@@ -53,6 +53,11 @@ pub(crate) enum MarkClaim {
         value: Known<Value>,
         before: u32,
     },
+    /// What is set and expected in one scan, or in a table with a line for each.
+    Scans {
+        text: Template,
+        is_table: bool,
+    },
 }
 
 /// One line of a `values` block.

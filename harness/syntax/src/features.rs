@@ -207,6 +207,23 @@ fn partial_access(written: &str) -> &'static str {
     }
 }
 
+/// Returns the key of the feature of a standard function block, such as `TON` and `CTU_DINT`; `None` for other names.
+#[must_use]
+pub fn standard_block(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_uppercase();
+    let (family, of_type) = name.rsplit_once('_').unwrap_or((&name, ""));
+    match (family, of_type) {
+        ("SR" | "RS", "") => Some("bistable-blocks"),
+        ("SEMA", "") => Some("semaphore-block"),
+        ("R" | "F", "TRIG") => Some("edge-blocks"),
+        ("CTU" | "CTD" | "CTUD", "") => Some("counter-blocks"),
+        ("CTU" | "CTD" | "CTUD", _) => Some("typed-counter-blocks"),
+        ("TP" | "TON" | "TOF", "") => Some("timer-blocks"),
+        ("TP" | "TON" | "TOF", "LTIME") => Some("long-timer-blocks"),
+        _ => None,
+    }
+}
+
 /// Returns whether a number is written with an underscore between its digits.
 fn is_number_with_underscore(written: &str) -> bool {
     let value = written.split_once('#').map_or(written, |(_, value)| value);
@@ -389,6 +406,10 @@ impl<'s> FeatureFinder<'_, 's> {
     fn named_type(&mut self, name: &Name<'s>) {
         if let Some(ty) = ElementaryType::from_name(name.text) {
             self.note_type(ty, name.span);
+        } else if let Some(key) = standard_block(name.text)
+            && self.declared(name.text).is_none()
+        {
+            self.note(key, name.span);
         }
     }
 

@@ -136,8 +136,15 @@ choices! {
         ///
         /// Basis: ironplc-data-types: string; iec-61131-3: Table 7, by which an apostrophe is `$'`.
         doubled_apostrophes: bool = false, ["flags.doubled-apostrophes"];
-        /// The inputs of the standard counters and bistables are called RESET, LOAD, SET, SET1 and RESET1, counters count WORD, and F_TRIG tells no
-        /// edge in its first call.
+        /// F_TRIG tells an edge in its first call, if CLK is FALSE then.
+        ///
+        /// Basis: iec-61131-3: Table 44; ironplc-function-blocks: f-trig, codesys-safety: sf_f_trig, by which it does not.
+        first_call_falls: bool = true, ["flags.first-call-falls"];
+        /// Counters count up to PV, and down to 0, and not to the limits of their type.
+        ///
+        /// Basis: matiec-repository: lib/counter.txt; iec-61131-3: Table 45, by which they go on.
+        counters_stop_at_preset: bool = false, ["flags.counters-stop-at-preset"];
+        /// The inputs of the standard counters and bistables are called RESET, LOAD, SET, SET1 and RESET1, and counters count WORD.
         ///
         /// Basis: codesys-recording: recordings/codesys.run.json (`lib_std_…`).
         set_and_reset_inputs: bool = false, ["flags.set-and-reset-inputs"];
