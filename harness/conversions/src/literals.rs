@@ -18,7 +18,9 @@ pub fn literal(value: &Value) -> String {
             ..
         }
         | Value::Text { .. } => value.without_type(),
-        Value::Plain { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => value.to_string(),
+        Value::Plain { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
+            value.to_string()
+        }
     }
 }
 

@@ -84,7 +84,7 @@ impl CaseRecord {
     /// A fragment that names an invalid value or diagnostic code of the record.
     pub(crate) fn case(&self, dialect: DialectName) -> Result<Case, String> {
         let values = self.values.iter().map(|record| {
-            let value = Value::parse(&record.value)
+            let value = Value::parse_expected(&record.value)
                 .map_err(|error| format!("`{}` of {} is no value: {error}", record.value, self.id))?;
             Ok(ExpectedValue {
                 name: record.name.as_str().into(),

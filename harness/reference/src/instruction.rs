@@ -11,6 +11,7 @@
 
 use crate::conversion::{Concatenation, Conversion};
 use stickler_types::ElementaryType;
+use stickler_types::dialect::TextPositions;
 
 /// Why a run ended early; one of the words of the wire protocol.
 pub use stickler_types::Fault as FaultKind;
@@ -149,6 +150,8 @@ pub enum Instruction {
         base: ElementaryType,
         /// The type of the exponent.
         exponent: ElementaryType,
+        /// Whether a real zero with a negative exponent faults with division-by-zero.
+        stops: bool,
     },
     /// Pops two values of the type, pushes a BOOL.
     Compare(ComparisonOperator, ElementaryType),
@@ -291,25 +294,43 @@ pub enum StandardFunction {
     Len,
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
-    /// LEFT: pops a text and a number of characters as an i64.
-    Left,
-    /// RIGHT.
-    Right,
-    /// MID: pops a text, a number of characters, and the position of the first one, from 1.
-    Mid,
-    /// INSERT: pops two texts and the number of characters of the first one that stay before the second.
-    Insert,
-    /// DELETE: pops what MID does.
-    Delete,
-    /// REPLACE: pops two texts, and the number and the position of the characters of the first one that the second replaces.
-    Replace,
+    /// LEFT and its kin: pops one or two texts and the numbers of the function, and does what the dialect does where these lie outside the text.
+    Part(TextPart, TextPositions),
     /// FIND: pops two texts; pushes the position of the second in the first as INT, 0 where it is not there or empty.
     Find,
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
     /// a number, or infinite.
     Real(RealFunction),
+    /// The same, which faults with division-by-zero where the result is infinite though the operands are not.
+    RealOrStop(RealFunction),
+    /// CONCAT_DATE and its kin: pops the numbers of a date, a time of day or both as i64, from the year or the hour on; faults with subrange where
+    /// the type does not have them.
+    Compose,
+    /// TO_BIG_ENDIAN, FROM_BIG_ENDIAN: pops a value, pushes that of its bytes in the opposite order.
+    SwapBytes,
+    /// IS_VALID: pops a real number; pushes whether it is a number and not infinite.
+    IsValid,
+    /// IS_VALID_BCD: pops a bit string; pushes whether each four bits of it are a decimal digit.
+    IsValidBcd,
     /// GT and its kin: pops `count` values, pushes a BOOL: whether each of them compares so with the one behind it.
     InOrder(ComparisonOperator),
+}
+
+/// The standard functions of parts of texts.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum TextPart {
+    /// LEFT: of a text and a number of characters.
+    Left,
+    /// RIGHT.
+    Right,
+    /// MID: of a text, a number of characters, and the position of the first one, from 1.
+    Mid,
+    /// INSERT: of two texts and the number of characters of the first one that stay before the second.
+    Insert,
+    /// DELETE: of what MID is.
+    Delete,
+    /// REPLACE: of two texts, and the number and the position of the characters of the first one that the second replaces.
+    Replace,
 }
 
 /// The standard functions of real numbers.
@@ -340,9 +361,13 @@ pub enum RealFunction {
 }
 
 impl StandardFunction {
-    /// Returns whether the function gives an INT, whatever its inputs are.
-    pub(crate) const fn counts(self) -> bool {
-        matches!(self, StandardFunction::Len | StandardFunction::Find)
+    /// Returns the type of the result where it does not depend on the inputs.
+    pub(crate) const fn own_result(self) -> Option<ElementaryType> {
+        match self {
+            StandardFunction::Len | StandardFunction::Find => Some(ElementaryType::Int),
+            StandardFunction::IsValid | StandardFunction::IsValidBcd => Some(ElementaryType::Bool),
+            _ => None,
+        }
     }
 
     /// Returns whether the function shifts or rotates bits.

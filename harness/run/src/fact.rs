@@ -306,7 +306,8 @@ fn spelled<S: Serializer>(spelled: &impl fmt::Display, serializer: S) -> Result<
 
 fn value<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
     let literal = String::deserialize(deserializer)?;
-    let value = Value::parse_observed(&literal);
+    let value =
+        Value::parse_observed(&literal).or_else(|error| Value::parse_expected(&literal).map_err(|_| error));
     value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
 }
 

@@ -154,6 +154,9 @@ impl<'n> Assembler<'n> {
             MarkClaim::ObserveAcceptance => self.acceptance_observed = true,
             MarkClaim::Set { name, value, before } => {
                 let (name, value) = (name.fill(scratch, texts), value.get(scratch, texts)?);
+                if matches!(value, Value::Near { .. }) {
+                    return Err(format!("a variable is set to one value, not to `{value}`"));
+                }
                 self.set.push(Setting {
                     before: *before,
                     name,

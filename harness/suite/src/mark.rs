@@ -95,7 +95,7 @@ impl MarkWord for Fault {
 
 impl MarkWord for Value {
     fn read(text: &str) -> Result<Self, String> {
-        Value::parse(text).map_err(|error| format!("`{text}` is no typed literal: {error}"))
+        Value::parse_expected(text).map_err(|error| format!("`{text}` is no typed literal: {error}"))
     }
 }
 

@@ -58,7 +58,7 @@ fn order(value: &Value) -> i128 {
             }
         }
         Value::Plain { ty, raw } => ty.integer_value(raw),
-        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => 0,
+        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => 0,
     }
 }
 

@@ -5,7 +5,7 @@
 //! meaning is implemented twice, independently: by the reference and by exact arithmetic.
 
 use crate::choice::{Choice, choices};
-pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
+pub use crate::options::{PartialAccess, TextPositions, ThirdEditionTypes, Widening};
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 use crate::{
     ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
@@ -169,6 +169,16 @@ choices! {
         ///
         /// Basis: matiec: User-defined types; rule: not-stated; implicit-conversion-rules: ANY_DATE, STRING and user defined, by which they do not.
         derived_types_convert: bool = true, ["flags.derived-types-convert"];
+        /// EXPT gives an LREAL, but a REAL of two REAL, and SQRT and the other functions of one real number take an integer as an LREAL.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`expt_types`, `expt_mixed_width`, `sqrt_precision`, `exp_log_precision`).
+        integers_as_lreal: bool = false, ["flags.integers-as-lreal"];
+        /// MUL_TIME and DIV_TIME give whole milliseconds, the rest of which is cut.
+        ///
+        /// Basis: ironplc-standard-functions: mul_time, div_time.
+        scaled_to_milliseconds: bool = false, ["flags.scaled-to-milliseconds"];
+        /// What functions of texts do with a length or a position outside the text.
+        text_positions: TextPositions = TextPositions::Clipped, ["language.text-positions"];
         /// The pairs of elementary types that convert implicitly.
         widening: Widening = Widening::None, ["language.implicit"];
         /// The implicit conversions that are accepted with a warning.

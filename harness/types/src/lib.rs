@@ -38,6 +38,7 @@ pub mod generic;
 mod hash;
 pub mod literal;
 mod near;
+mod near_value;
 mod numbers;
 mod observed_value;
 pub mod operators;

@@ -86,6 +86,23 @@ impl PartialAccess {
 }
 
 words! {
+    /// What LEFT, RIGHT, MID, INSERT, DELETE and REPLACE do with a length or a position outside the text.
+    TextPositions {
+        /// What of the characters lies in the text counts, and no others.
+        Clipped = "clipped",
+        /// INSERT and REPLACE leave a text as it is where the position is behind it, and INSERT where it is negative; MID of a position before the text
+        /// gives no character. The rest is as clipped.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`string_positions_…`, `str_…`).
+        Kept = "kept",
+        /// A negative length and a position below 1, or of INSERT below 0, give an empty text. The rest is as clipped.
+        ///
+        /// Basis: plcnext-text: REPLACE; siemens-manual-2014: 312.
+        Empty = "empty",
+    }
+}
+
+words! {
     /// The types of the third edition that a dialect has.
     ThirdEditionTypes {
         /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
@@ -128,4 +145,4 @@ impl ThirdEditionTypes {
     }
 }
 
-choices_of_words! { Widening, }
+choices_of_words! { Widening, TextPositions, }

@@ -4,6 +4,9 @@ use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
 use std::fmt;
 
+/// What stands between a real number and the units in the last place by which another may differ from it.
+pub(crate) const WITHIN: &str = " within ";
+
 /// A value together with its type.
 ///
 /// Two values are equal only if their types are the same and so are their bits. That makes -0.0 differ from 0.0, and it makes a
@@ -33,6 +36,15 @@ pub enum Value {
         ty: ElementaryType,
         /// The nanoseconds, which 64 bits with sign do not hold.
         nanoseconds: i128,
+    },
+    /// A finite real number to which another is near: that of an expectation, and of nothing else. Its spelling is `REAL#1.4142135 within 2`.
+    Near {
+        /// `REAL` or `LREAL`.
+        ty: ElementaryType,
+        /// The raw form of the number.
+        raw: u64,
+        /// The number of units in the last place by which the other may differ.
+        units: u32,
     },
     /// A value of an enumeration.
     Enumerated {
@@ -65,7 +77,10 @@ impl Value {
     /// Returns the keyword of the type, or the name of the enumeration.
     pub fn type_name(&self) -> &str {
         match self {
-            Value::Plain { ty, .. } | Value::Text { ty, .. } | Value::OutOfRange { ty, .. } => ty.name(),
+            Value::Plain { ty, .. }
+            | Value::Text { ty, .. }
+            | Value::OutOfRange { ty, .. }
+            | Value::Near { ty, .. } => ty.name(),
             Value::Enumerated { type_name, .. } => type_name,
         }
     }
@@ -85,7 +100,7 @@ impl Value {
         match self {
             Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
             Value::Plain { .. } | Value::Text { .. } => self.without_type(),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => self.to_string(),
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => self.to_string(),
         }
     }
 
@@ -259,6 +274,10 @@ impl fmt::Display for Value {
             Value::Plain { ty, raw } => write_plain(f, *ty, *raw),
             Value::Text { ty, units } => literal::write_text(f, units, is_wide(*ty)),
             Value::OutOfRange { nanoseconds, .. } => literal::write_nanoseconds(f, *nanoseconds),
+            Value::Near { ty, raw, units } => {
+                write_plain(f, *ty, *raw)?;
+                write!(f, "{WITHIN}{units}")
+            }
             Value::Enumerated { value_name, .. } => f.write_str(value_name),
         }
     }
@@ -286,8 +305,8 @@ fn write_plain(f: &mut fmt::Formatter<'_>, ty: ElementaryType, raw: u64) -> fmt:
 }
 
 impl PartialEq for Value {
-    fn eq(&self, other: &Value) -> bool {
-        match (self, other) {
+    fn eq(&self, other_value: &Value) -> bool {
+        match (self, other_value) {
             (
                 Value::Plain { ty, raw },
                 Value::Plain {
@@ -319,6 +338,9 @@ impl PartialEq for Value {
                     nanoseconds: other,
                 },
             ) => ty == other_ty && nanoseconds == other,
+            (Value::Near { units, .. }, Value::Near { units: other, .. }) => {
+                units == other && self.middle() == other_value.middle()
+            }
             _ => false,
         }
     }

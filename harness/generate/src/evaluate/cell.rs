@@ -31,7 +31,7 @@ impl MemoryCell {
         match value {
             Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),
             Value::Text { units, .. } => Ok(MemoryCell::Text(units.into_boxed_slice())),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => {
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
                 Err(ill_formed("a value without a literal of its own"))
             }
         }

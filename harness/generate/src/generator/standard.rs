@@ -74,7 +74,12 @@ impl ProgramBuilder<'_, '_> {
             }
             _ => operand,
         };
-        Some(Expression::standard(Function::Abs, vec![operand], ty))
+        let absolute = Expression::standard(Function::Abs, vec![operand], ty);
+        // Of the functions of real numbers this one alone has a result that is exact.
+        if ty.is_real() && !self.lacks("sqrt") && self.random.chance(1, 2) {
+            return Some(Expression::standard(Function::SquareRoot, vec![absolute], ty));
+        }
+        Some(absolute)
     }
 
     /// Generates SHL, SHR, ROL or ROR by fewer bits than the type has; with open constructs sometimes by more.
@@ -98,15 +103,35 @@ impl ProgramBuilder<'_, '_> {
         Expression::standard(function, vec![operand, count], ty)
     }
 
-    /// Generates LEN.
+    /// Generates LEN, or FIND of a text that is not empty.
     pub fn length(&mut self, depth: usize) -> Expression {
         let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
-        Expression::standard(Function::Len, vec![operand], ElementaryType::Int)
+        let sought = self.literal(ElementaryType::String, TypeContext::Exact);
+        let is_found = matches!(&sought.kind, ExpressionKind::Literal(Value::Text { units, .. }, _) if !units.is_empty());
+        let (function, arguments) = match is_found && !self.lacks("find") && self.random.chance(1, 2) {
+            true => (Function::Find, vec![operand, sought]),
+            false => (Function::Len, vec![operand]),
+        };
+        Expression::standard(function, arguments, ElementaryType::Int)
     }
 
-    /// Generates CONCAT of a text and a literal.
+    /// Generates CONCAT of a text and a literal, or LEFT or RIGHT of a text.
     pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let text = self.value(ty, TypeContext::Exact, depth.min(2));
+        let function = [Function::Left, Function::Right][self.random.below(2)];
+        let key = if function == Function::Left {
+            "left"
+        } else {
+            "right"
+        };
+        if self.random.chance(1, 3) && !self.lacks(key) {
+            let count = integer(
+                ElementaryType::Int,
+                self.random.between(0, 9),
+                LiteralForm::Untyped,
+            );
+            return Expression::standard(function, vec![text, count], ty);
+        }
         let more = self.literal(ty, TypeContext::Exact);
         let arguments = if self.random.chance(1, 2) {
             vec![more, text]

@@ -135,7 +135,9 @@ mod tests {
             match operand {
                 Value::Plain { raw, .. } => assert_eq!(raw, 0, "{ty}"),
                 Value::Text { units, .. } => assert_eq!(units, [0_u16; 0]),
-                Value::Enumerated { .. } | Value::OutOfRange { .. } => unreachable!("no elementary type"),
+                Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
+                    unreachable!("no elementary type")
+                }
             }
         }
     }

@@ -59,7 +59,7 @@ impl SourceWriter<'_> {
 pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
     match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-        Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
     }
 }
 

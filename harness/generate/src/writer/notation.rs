@@ -20,7 +20,7 @@ impl SourceWriter<'_> {
                 _ => None,
             },
             Value::Text { units, ty } => other_text(units, *ty, choice),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
         }
     }
 

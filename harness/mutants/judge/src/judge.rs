@@ -144,7 +144,10 @@ fn values_differ(expectation: &PreparedExpectation, values: &[(String, Value)]) 
         let text = value.to_string();
         let same = match value {
             Value::Enumerated { .. } => text.eq_ignore_ascii_case(expected),
-            Value::Plain { .. } | Value::Text { .. } | Value::OutOfRange { .. } => text == *expected,
+            _ => {
+                let admits = || Value::parse_expected(expected).is_ok_and(|expected| expected.admits(value));
+                text == *expected || admits()
+            }
         };
         (!same).then(|| format!("{key} = {text}"))
     })

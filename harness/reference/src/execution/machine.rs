@@ -198,9 +198,14 @@ impl<'p> Machine<'p> {
                     let (time, number) = self.pop_pair()?;
                     self.operands.push(duration::scale(operator, ty, time, number)?);
                 }
-                Instruction::Power { base, exponent } => {
+                Instruction::Power {
+                    base,
+                    exponent,
+                    stops,
+                } => {
                     let (left, right) = self.pop_pair()?;
-                    self.operands.push(power::power((base, left), (exponent, right))?);
+                    self.operands
+                        .push(power::power((base, left), (exponent, right), stops)?);
                 }
                 Instruction::Compare(operator, ty) => {
                     let (left, right) = self.pop_pair()?;

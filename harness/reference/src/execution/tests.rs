@@ -251,6 +251,7 @@ fn any_instruction(bits: u64) -> Instruction {
         21 => Instruction::Power {
             base: ty,
             exponent: other,
+            stops: bits & 1 == 0,
         },
         22 => CompareText(ComparisonOperator::Less),
         23 => Standard {

@@ -185,7 +185,13 @@ impl Lowering<'_> {
                 }
             }
             Action::Power { base, exponent } => {
-                self.emit_at(self.span(link.node), Instruction::Power { base, exponent });
+                let stops = self.model.source.dialect.division_stops;
+                let power = Instruction::Power {
+                    base,
+                    exponent,
+                    stops,
+                };
+                self.emit_at(self.span(link.node), power);
             }
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),

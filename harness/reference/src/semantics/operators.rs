@@ -85,6 +85,7 @@ impl TypeRules<'_> {
         }
         let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
+            OperatorGroup::Power if self.dialect.integers_as_lreal => self.power(left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.
             OperatorGroup::Power if left == Inferred::Real && is_integer(right) => {
                 return OperatorSignature::Untyped(Inferred::Real);
@@ -280,8 +281,11 @@ impl TypeRules<'_> {
         ))
     }
 
-    /// The base's type is the result's; the exponent is any number.
+    /// The base's type is the result's; the exponent is any number. An integer is the base of a real exponent as the real that it converts to.
     fn power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        if self.dialect.integers_as_lreal {
+            return self.long_power(left, right);
+        }
         let exponent = match right {
             Inferred::Integer(magnitude) => magnitude.ty(),
             Inferred::Real => left
@@ -297,12 +301,39 @@ impl TypeRules<'_> {
             Inferred::Integer(_) => exponent,
             Inferred::Real if exponent.is_real() => exponent,
             Inferred::Real => ElementaryType::Lreal,
-            _ => left.elementary().filter(|&ty| is_number(ty))?,
+            _ => {
+                let base = left.elementary().filter(|&ty| is_number(ty))?;
+                let mut reals = [exponent, ElementaryType::Lreal].into_iter();
+                let real = reals.find(|&real| {
+                    exponent.is_real() && base.is_integer() && implicit(base, real, self.dialect).is_some()
+                });
+                real.unwrap_or(base)
+            }
         };
         Some(TypedOperation::new(
             (TypeId::of(base), TypeId::of(exponent)),
             Action::Power { base, exponent },
             TypeId::of(base),
+        ))
+    }
+
+    /// The power of two REAL is one, and that of any other numbers an LREAL.
+    fn long_power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        let is_real = |value: Inferred| value.elementary() == Some(ElementaryType::Real);
+        let is_taken =
+            |value: Inferred| value.is_untyped_number() || value.elementary().is_some_and(is_number);
+        let is_short = is_real(left) && (is_real(right) || right == Inferred::Real)
+            || is_real(right) && left == Inferred::Real;
+        let ty = if is_short {
+            ElementaryType::Real
+        } else {
+            ElementaryType::Lreal
+        };
+        let (base, exponent) = (ty, ty);
+        (is_taken(left) && is_taken(right)).then_some(TypedOperation::new(
+            (TypeId::of(ty), TypeId::of(ty)),
+            Action::Power { base, exponent },
+            TypeId::of(ty),
         ))
     }
 

@@ -133,6 +133,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
         let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);
+        if let Some(family) = family(&upper) {
+            return self.note(family, call.span);
+        }
         let key = match upper.split_once("_TO_") {
             Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",
             _ if has("BCD") => "conversion-bcd",
@@ -140,7 +143,6 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
             _ if upper.contains('_') && rounds() && parts_are_types() => "rounding-typed",
             _ if upper.starts_with("TO_") && parts_are_types() => "conversion-overloaded",
-            _ if upper.starts_with("CONCAT_") && parts_are_types() => "concat-date-time",
             // The name alone is the key of the operator.
             _ if ["ADD", "AND", "MOD", "NOT", "OR", "XOR"].contains(&upper.as_str()) => {
                 return self.note(format!("{}-function", upper.to_ascii_lowercase()), call.span);
@@ -206,6 +208,27 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         self.note_if(ty.is_some(), "typed-literal-string", expression.span);
         Some(plain)
     }
+}
+
+/// Returns the key of the functions of which one is a member, by its name in capital letters, where several have a key together.
+fn family(name: &str) -> Option<&'static str> {
+    let (first, rest) = name.split_once('_')?;
+    let types: Option<Vec<ElementaryType>> = rest.split('_').map(ElementaryType::from_name).collect();
+    Some(match (first, types.as_deref()) {
+        ("ADD" | "SUB", Some(types)) if types.iter().any(|ty| ty.is_third_edition()) => {
+            "typed-long-time-function"
+        }
+        ("ADD" | "SUB", Some(_)) => "typed-time-function",
+        ("MUL" | "DIV", Some([ElementaryType::Ltime])) => "typed-long-time-function",
+        ("MUL" | "DIV", Some(_)) => "scaled-time-function",
+        ("CONCAT", Some([_])) => "compose-date-time",
+        ("CONCAT", Some(_)) => "concat-date-time",
+        ("SPLIT", Some(_)) => "split-date-time",
+        ("DAY", None) if rest == "OF_WEEK" => "day-of-week",
+        ("TO" | "FROM", None) if rest.ends_with("_ENDIAN") => "byte-order",
+        ("IS", None) if rest.starts_with("VALID") => "validity",
+        _ => return None,
+    })
 }
 
 /// Returns the key of an infix operator.
