@@ -241,6 +241,7 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
         Rounding::HalfAwayFromZero => rest >= half,
         Rounding::Up => rest > 0 && !negative,
         Rounding::Down => rest > 0 && negative,
+        Rounding::AwayFromZero => rest > 0,
     };
     let magnitude = below as i128 + i128::from(away);
     Whole::Number(if negative { -magnitude } else { magnitude })

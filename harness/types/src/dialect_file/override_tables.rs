@@ -161,7 +161,7 @@ fn cell(
 }
 
 /// Returns the elementary type of a name, if the dialect has it.
-fn elementary(
+pub(crate) fn elementary(
     name: &str,
     at: &Range<usize>,
     draft: &Draft<'_>,
