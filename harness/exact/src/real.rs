@@ -250,6 +250,7 @@ pub(crate) fn to_whole(number: Finite, rounding: Rounding) -> Whole {
         Rounding::HalfAwayFromZero => rest >= half,
         Rounding::Up => rest > 0 && !negative,
         Rounding::Down => rest > 0 && negative,
+        Rounding::AwayFromZero => rest > 0,
     };
     let magnitude = below as i128 + i128::from(away);
     Whole::Number(if negative { -magnitude } else { magnitude })

@@ -136,14 +136,19 @@ pub enum Instruction {
 
     /// Converts the top of the stack; text operands and results are on the text stack.
     Convert(Conversion),
+    /// Converts the text on top; pushes the value and above it TRUE, or FALSE where the text spells none.
+    TryConvert(Conversion),
+    /// Pops a value of the type, and a text by which it is formatted; pushes the text that comes of it.
+    Format(ElementaryType),
     /// Pops a date and a time of day; pushes both as one.
     Concatenate(Concatenation),
     /// Pops two values of the type, pushes the result, wrapped to the type's width. Addition and subtraction
     /// also come with durations, and with dates and times, of nanoseconds: 64 bits wrap, and TOD and LTOD are
     /// taken modulo a day. (The difference of two dates is a subtraction of type TIME.)
     Arithmetic(ArithmeticOperator, ElementaryType),
-    /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration.
-    ScaleDuration(ArithmeticOperator, ElementaryType),
+    /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration. A product with a number that is not finite is
+    /// the least duration where that is so, and otherwise 0.
+    ScaleDuration(ArithmeticOperator, ElementaryType, bool),
     /// Pops base and exponent; pushes base raised to exponent in the base's type.
     Power {
         /// The type of the base and of the result.

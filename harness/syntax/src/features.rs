@@ -1,6 +1,6 @@
 //! The features of the language that a program uses, by their keys in `conformance-cases/features.toml`.
 //!
-//! What a program uses does not depend on the dialect, of which only the nesting of comments is taken: a program with `.%X3`
+//! What a program uses does not depend on the dialect, of which only the nesting of comments and names of its own are taken: a program with `.%X3`
 //! uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
 //! values are in nearly every program and are no features.
 
@@ -47,7 +47,7 @@ pub fn features(text: &str, dialect: &Dialect) -> BTreeSet<FeatureKey> {
 pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
     let dialect = with_all_syntax(dialect);
     let (unit, _) = crate::parse(text, &dialect);
-    let mut finder = FeatureFinder::new(text, &unit);
+    let mut finder = FeatureFinder::new(text, &unit, &dialect);
     walk(&unit, &mut finder);
     finder.configurations(&unit);
     finder.tokens(&dialect);
@@ -72,6 +72,8 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
 /// A walk that notes features.
 struct FeatureFinder<'t, 's> {
     text: &'s str,
+    /// Of which the names of its own are taken.
+    dialect: &'t Dialect,
     /// What the program declares, by name; of several of one name the last.
     declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
     /// The types with which variables and fields are declared, by name.
@@ -82,7 +84,7 @@ struct FeatureFinder<'t, 's> {
 }
 
 impl<'t, 's> FeatureFinder<'t, 's> {
-    fn new(text: &'s str, unit: &'t SourceUnit<'s>) -> FeatureFinder<'t, 's> {
+    fn new(text: &'s str, unit: &'t SourceUnit<'s>, dialect: &'t Dialect) -> FeatureFinder<'t, 's> {
         let names = declared(unit);
         let of_group = |name: &crate::names::DeclaredName<'t, 's>| {
             let group = name.group?;
@@ -100,6 +102,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         }
         FeatureFinder {
             text,
+            dialect,
             inputs,
             declared: names
                 .iter()
@@ -404,7 +407,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
 impl<'s> FeatureFinder<'_, 's> {
     fn named_type(&mut self, name: &Name<'s>) {
-        if let Some(ty) = ElementaryType::from_name(name.text) {
+        if let Some(ty) = self.dialect.elementary(name.text) {
             self.note_type(ty, name.span);
         } else if let Some(key) = standard_block(name.text)
             && self.declared(name.text).is_none()

@@ -129,6 +129,21 @@ choices! {
         ///
         /// Basis: omron-instructions: 296.
         long_truncation: bool = false, ["flags.long-truncation"];
+        /// ROUNDUP takes the next integer away from zero; its result is of the types of ROUND. Basis: omron-instructions: 296.
+        rounds_up: bool = false, ["flags.rounds-up"];
+        /// A duration times an infinity or what is not a number is the least one, and not 0. Basis: omron-instructions: 609.
+        infinite_products: bool = false, ["flags.infinite-products"];
+        /// An untyped integer literal in another base is a WORD, DWORD or LWORD where a function makes an integer of it: `TO_DINT(16#FFFF)`. Basis:
+        /// plcnext-conversions: TO_DINT.
+        based_literals_as_bits: bool = false, ["flags.based-literals-as-bits"];
+        /// Names of conversion functions may have the long keywords of types: `UDINT_TO_TIME_OF_DAY`. Basis: iec-61131-3: Table 10; twincat-builds:
+        /// recordings/twincat.build.json (`cc_conv_spelled_…`), by which they may not.
+        long_names_convert: bool = true, ["flags.long-names-convert"];
+        /// A literal of TIME may have microseconds and nanoseconds, as one of LTIME may: `T#5ns`. Basis: iec-61131-3: Table 8; twincat-builds:
+        /// recordings/twincat.build.json (`cc_time_…_literal`), by which it may not.
+        fine_time_literals: bool = true, ["flags.fine-time-literals"];
+        /// TO_STRING and TO_WSTRING have a second input FORMAT: `'{0:D8}'`. Basis: plcnext-conversions: TO_STRING.
+        format_strings: bool = false, ["flags.format-strings"];
         /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
         /// Specific Features.
         mixed_locations: bool = true, ["flags.mixed-locations"];
@@ -223,6 +238,10 @@ choices! {
         asked_beside: Option<String> = None;
         /// The pairs of types for which the file states whether they convert implicitly, whatever `widening` says.
         cells: BTreeMap<Pair, Stated> = BTreeMap::new();
+        /// The names that the system has for types and functions of the standard, in capital letters.
+        names: BTreeMap<String, String> = BTreeMap::new();
+        /// The types that TO_INT and its kin take, by the type that they give, where they do not take all that have a meaning.
+        inputs: BTreeMap<ElementaryType, &'static [ElementaryType]> = BTreeMap::new();
         /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
         stated: BTreeMap<&'static str, String> = BTreeMap::new();
         /// The choices of conversion functions, and of implicit conversions, where systems differ.
@@ -432,6 +451,20 @@ impl Dialect {
             _ => false,
         };
         by_choice || self.features.lacks.iter().any(|lacked| lacked == feature)
+    }
+
+    /// Returns the name that the standard has for what the system calls by this one, which itself is returned otherwise.
+    #[must_use]
+    pub fn standard_name<'n>(&'n self, name: &'n str) -> &'n str {
+        let has_names = !self.names.is_empty();
+        let own = has_names.then(|| self.names.get(&name.to_ascii_uppercase()));
+        own.flatten().map_or(name, String::as_str)
+    }
+
+    /// Returns the elementary type of this name, by the standard or of the system's own; it may be one that the dialect does not have.
+    #[must_use]
+    pub fn elementary(&self, name: &str) -> Option<ElementaryType> {
+        ElementaryType::from_name(self.standard_name(name))
     }
 
     /// Returns whether the dialect has this elementary type.

@@ -127,6 +127,7 @@ fn rounding(choices: &ConversionChoices, _: &Signature) -> String {
         Rounding::HalfAwayFromZero => "to the nearest, halves away from zero",
         Rounding::Up => "upward",
         Rounding::Down => "downward",
+        Rounding::AwayFromZero => "away from zero",
     }
     .to_owned()
 }
@@ -168,6 +169,9 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
         }
         TextReading::LooseDigits => {
             "the whole text, underscores and blanks aside, must be a number; otherwise 0"
+        }
+        TextReading::LeadingFixedPoint => {
+            "the decimal number at the beginning, without an exponent; otherwise 0"
         }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }

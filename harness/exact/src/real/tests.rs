@@ -176,6 +176,8 @@ fn whole_by_fractions(exact: &Fraction, rounding: Rounding) -> BigInt {
         Rounding::Truncate => exact.trunc(),
         Rounding::Up => exact.ceil(),
         Rounding::Down => exact.floor(),
+        Rounding::AwayFromZero if exact.numer().sign() == num_bigint::Sign::Minus => exact.floor(),
+        Rounding::AwayFromZero => exact.ceil(),
         Rounding::HalfAwayFromZero => away(exact),
         Rounding::HalfToEven => {
             let below = exact.floor();

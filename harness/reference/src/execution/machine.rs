@@ -185,6 +185,11 @@ impl<'p> Machine<'p> {
                 Instruction::StorePart { part, of } => self.store_part(part, of)?,
 
                 Instruction::Convert(conversion) => self.convert(conversion)?,
+                Instruction::TryConvert(conversion) => {
+                    let value = conversion.spelled(&self.pop_text()?);
+                    self.operands.extend([value.unwrap_or(0), value.is_some().into()]);
+                }
+                Instruction::Format(from) => self.format(from)?,
                 Instruction::Concatenate(concatenation) => {
                     let (date, time) = self.pop_pair()?;
                     self.operands.push(concatenation.apply_two(date, time));
@@ -194,9 +199,9 @@ impl<'p> Machine<'p> {
                     self.operands
                         .push(arithmetic::arithmetic(operator, ty, left, right)?);
                 }
-                Instruction::ScaleDuration(operator, ty) => {
-                    let (time, number) = self.pop_pair()?;
-                    self.operands.push(duration::scale(operator, ty, time, number)?);
+                Instruction::ScaleDuration(operator, ty, is_least) => {
+                    let pair = self.pop_pair()?;
+                    self.operands.push(duration::scale(operator, ty, pair, is_least)?);
                 }
                 Instruction::Power {
                     base,

@@ -247,7 +247,7 @@ fn any_instruction(bits: u64) -> Instruction {
             rule,
         }),
         19 => Arithmetic(operator, ty),
-        20 => Instruction::ScaleDuration(operator, ty),
+        20 => Instruction::ScaleDuration(operator, ty, false),
         21 => Instruction::Power {
             base: ty,
             exponent: other,

@@ -84,14 +84,15 @@ impl<'m> Lowering<'m> {
             }
             None => {}
         }
-        if let Some(standard) = standard_function(name.text) {
+        let dialect = self.model.source.dialect;
+        let name = dialect.standard_name(name.text);
+        if let Some(standard) = standard_function(name) {
             return Callee::Standard(standard);
         }
-        let dialect = self.model.source.dialect;
-        if let Some(conversion) = function(name.text, dialect) {
+        if let Some(conversion) = function(name, dialect) {
             return Callee::Conversion(conversion);
         }
-        match concatenation(name.text, dialect) {
+        match concatenation(name, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
         }

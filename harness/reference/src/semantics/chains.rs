@@ -175,7 +175,11 @@ impl Lowering<'_> {
                 if swapped {
                     self.emit(Instruction::Swap);
                 }
-                self.emit_at(self.span(link.node), Instruction::ScaleDuration(operator, number));
+                let is_least = self.model.source.dialect.infinite_products;
+                self.emit_at(
+                    self.span(link.node),
+                    Instruction::ScaleDuration(operator, number, is_least),
+                );
                 // A scaled LTIME wraps by itself.
                 if link
                     .operation

@@ -12,7 +12,7 @@ use stickler_syntax::diagnostic::{SpannedDiagnostic, quoted};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Literal, LiteralKind};
 use stickler_types::dialect::Dialect;
-use stickler_types::{Code, ElementaryType, Family, LiteralError, literal};
+use stickler_types::{Code, ElementaryType, Family, LiteralError, MomentUnits, literal};
 
 /// A literal with the sign that stands directly before it.
 #[derive(Clone, Copy)]
@@ -136,15 +136,17 @@ pub(super) fn read_literal(
             integer_literal(signed, ty, text, dialect.literals_by_width).map(LiteralValue::Plain)
         }
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
-        Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => read(signed, ty)
-            .or_else(|error| {
-                read(signed, ElementaryType::Lreal)
-                    .map(as_real)
-                    .map_err(|_| error)
-            })
-            .map(LiteralValue::Plain)
-            .map_err(|error| misread(signed, ty, text, error)),
-        _ => read(signed, ty)
+        Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => {
+            read(signed, ty, dialect)
+                .or_else(|error| {
+                    read(signed, ElementaryType::Lreal, dialect)
+                        .map(as_real)
+                        .map_err(|_| error)
+                })
+                .map(LiteralValue::Plain)
+                .map_err(|error| misread(signed, ty, text, error))
+        }
+        _ => read(signed, ty, dialect)
             .map(LiteralValue::Plain)
             .map_err(|error| misread(signed, ty, text, error)),
     }
@@ -253,7 +255,7 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
 }
 
 /// Reads a literal whose raw form is neither an integer nor a text.
-fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
+fn read(signed: Signed<'_>, ty: ElementaryType, dialect: &Dialect) -> Result<u64, LiteralError> {
     let text = signed.literal.text();
     match ty.family() {
         Family::Real => {
@@ -265,7 +267,19 @@ fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
             };
             Ok(if signed.negative { raw ^ sign } else { raw })
         }
-        Family::Duration => literal::duration(text).map(i64::cast_unsigned),
+        Family::Duration => {
+            let nanoseconds = literal::wide_duration(text)?;
+            let is_fine = text.contains(['u', 'U', 'n', 'N']) && ty == ElementaryType::Time;
+            if is_fine && !dialect.fine_time_literals {
+                let expected = "milliseconds, the least unit of TIME";
+                return Err(LiteralError::Malformed { at: 0, expected });
+            }
+            // There LTIME is a count without a sign.
+            let is_count = ty.is_third_edition() && dialect.conversions.moment_units == MomentUnits::Counts;
+            let fits = i64::try_from(nanoseconds).is_ok() || is_count && u64::try_from(nanoseconds).is_ok();
+            let beyond = LiteralError::Overflow { at: 0, range: "" };
+            fits.then_some(nanoseconds as u64).ok_or(beyond)
+        }
         Family::Date => literal::date(text).map(i64::cast_unsigned),
         Family::TimeOfDay => literal::time_of_day(text).map(i64::cast_unsigned),
         _ => literal::date_and_time(text).map(i64::cast_unsigned),

@@ -5,7 +5,7 @@
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
 use super::common::TypeRules;
-use super::emitter::{Emitter, Loop};
+use super::emitter::{Emitter, Jump, Loop};
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{DeclaredVariable, Model, PouEntry};
@@ -37,6 +37,10 @@ pub(super) struct Lowering<'m> {
     pub(super) calls: Vec<(u32, u32, Span)>,
     /// The pairs in `calls`.
     pub(super) known_calls: FxHashSet<(u32, u32)>,
+    /// The call of a conversion that is all that is assigned, where one that fails leaves the variable as it is.
+    pub(super) fallible: Option<Span>,
+    /// The jump of that conversion where it fails.
+    pub(super) failed: Option<Jump>,
     /// The number of messages that may still look for a similar name, which takes time.
     pub(super) guesses: u32,
 }
@@ -87,6 +91,8 @@ impl<'m> Lowering<'m> {
             loops: Vec::new(),
             calls: Vec::new(),
             known_calls: FxHashSet::default(),
+            fallible: None,
+            failed: None,
             guesses: 20,
         }
     }

@@ -102,7 +102,7 @@ impl<'u> Declarer<'u, '_> {
                 TypeSpecificationKind::Error => return ConstantType::Unknown,
                 _ => return ConstantType::Other,
             };
-            let elementary = ElementaryType::from_name(name.text);
+            let elementary = self.model.source.dialect.elementary(name.text);
             let named = match self.model.definitions.get(&CaseFolded(name.text)) {
                 _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
                 Some(&TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),

@@ -56,7 +56,7 @@ impl<'u> Declarer<'u, '_> {
     /// Basis: ironplc-problem-codes: P2008; P0010 for types of the third edition where the dialect lacks them,
     /// unless the text declares a type of that name.
     pub(super) fn named(&mut self, name: Name<'u>) -> TypeId {
-        let elementary = ElementaryType::from_name(name.text);
+        let elementary = self.model.source.dialect.elementary(name.text);
         if let Some(ty) = elementary
             && !ty.is_third_edition()
         {

@@ -128,8 +128,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
 
     /// Notes the call of a function that the program does not declare.
     fn standard_call(&mut self, name: &str, call: &Expression<'s>) {
-        let upper = name.to_ascii_uppercase();
-        let elementary = ElementaryType::from_name;
+        let dialect = self.dialect;
+        let upper = dialect.standard_name(name).to_ascii_uppercase();
+        let elementary = |name: &str| dialect.elementary(name);
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
         let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);

@@ -2,18 +2,19 @@
 
 use super::definitions::words;
 use super::draft::Draft;
-use super::override_tables::{choices, overrides};
+use super::override_tables::{choices, elementary, overrides};
 use super::table::{ConfigurationMistake, Read, mistake, table, text};
 use crate::choice::Choice;
 use crate::documents::PageOnReals;
 use crate::near::advice;
-use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, OutOfRange, Rounding};
+use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, ElementaryType, OutOfRange, Rounding};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the file.
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 16] = [
     "title",
     "about",
     "order",
@@ -28,6 +29,8 @@ const KEYS: [&str; 14] = [
     "conversions",
     "operators",
     "implicit",
+    "names",
+    "inputs",
 ];
 
 /// The content of the file of a documented system.
@@ -90,6 +93,8 @@ pub fn read_documented(
             "asked-beside" => dialect.asked_beside = Some(text_of(key, value)?),
             "features" => features(&mut dialect.features, table(key, value)?)?,
             "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,
+            "names" => names(&mut dialect.names, table(key, value)?)?,
+            "inputs" => inputs(&mut draft, table(key, value)?)?,
             "page-on-reals" => {
                 dialect.documents.page_on_reals = Some(page_on_reals(table(key, value)?, &at)?)
             }
@@ -162,6 +167,28 @@ fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Read<()> {
                 ));
             }
         }
+    }
+    Ok(())
+}
+
+/// Reads the names that the system has for types and functions of the standard: `MULTIME = "MUL"`.
+fn names(names: &mut BTreeMap<String, String>, keys: &DeTable<'_>) -> Read<()> {
+    for (key, value) in keys.iter() {
+        let name = key.get_ref().to_ascii_uppercase();
+        names.insert(name, text_of(key.get_ref(), value)?.to_ascii_uppercase());
+    }
+    Ok(())
+}
+
+/// Reads the types that TO_TIME and its kin take, by the type that they give: `TIME = ["LTIME", "DINT"]`.
+fn inputs(draft: &mut Draft<'_>, keys: &DeTable<'_>) -> Read<()> {
+    for (key, value) in keys.iter() {
+        let to = elementary(key.get_ref(), &key.span(), draft)?;
+        let names = texts(key.get_ref(), value)?.into_iter();
+        let types = names.map(|name| elementary(&name, &value.span(), draft));
+        // A few lists for each file, which is read once.
+        let types: &'static [ElementaryType] = Vec::leak(types.collect::<Result<_, _>>()?);
+        draft.dialect.inputs.insert(to, types);
     }
     Ok(())
 }

@@ -137,7 +137,7 @@ fn cell(
 }
 
 /// Returns the elementary type of a name, if the dialect has it.
-fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Read<ElementaryType> {
+pub(crate) fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Read<ElementaryType> {
     let types = ElementaryType::ALL.map(ElementaryType::name);
     let found = ElementaryType::ALL.into_iter().find(|ty| ty.name() == name);
     let ty = found.ok_or_else(|| {
