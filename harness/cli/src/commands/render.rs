@@ -24,7 +24,7 @@ pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Resu
             Ok(Exit::AsExpected)
         }
         Err(diagnostics) => {
-            snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+            snippet::write(&diagnostics, &text, |_| (&path, 0), &mut output::stderr())?;
             Ok(Exit::Failures)
         }
     }
