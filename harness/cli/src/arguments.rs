@@ -31,7 +31,7 @@ use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
 use numbers::whole;
 use std::path::PathBuf;
-use stickler_types::{ClockSetting, DialectName, Value};
+use stickler_types::{ClockSetting, DialectName, Setting, Value};
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
 ///
@@ -73,10 +73,10 @@ pub enum Command {
     /// Check the case files themselves
     #[command(after_help = include_str!("arguments/examples/lint.txt"))]
     Lint(LintArguments),
-    /// Show the diagnostics of the reference for one file
+    /// Show the diagnostics of the reference for a program of one file or several
     #[command(after_help = include_str!("arguments/examples/check.txt"))]
     Check(CheckArguments),
-    /// Execute one file on the reference and print the final values
+    /// Execute a program of one file or several on the reference and print the final values
     #[command(after_help = include_str!("arguments/examples/eval.txt"))]
     Eval(EvalArguments),
     /// Execute a program, function block or function on traces, and compare what comes out with what they expect
@@ -224,13 +224,24 @@ pub struct SourceArguments {
     pub dialect: DialectName,
 }
 
+/// Source files that are one program, and the dialect to read it in.
+#[derive(Args, Debug)]
+pub struct ProgramArguments {
+    /// Files of Structured Text that are one program, or folders of files *.st; `-` reads stdin
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// The dialect to read it in
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: DialectName,
+}
+
 /// `stickler check`.
 #[derive(Args, Debug)]
 pub struct CheckArguments {
     /// The program to check.
     #[command(flatten)]
-    pub source: SourceArguments,
-    /// Print the reply of the wire protocol instead: one JSON object
+    pub program: ProgramArguments,
+    /// Print the reply of the wire protocol instead: one JSON object; of several files one a line, each with the name of its `file`
     #[arg(long)]
     pub json: bool,
 }
@@ -240,7 +251,13 @@ pub struct CheckArguments {
 pub struct EvalArguments {
     /// The program to execute.
     #[command(flatten)]
-    pub source: SourceArguments,
+    pub program: ProgramArguments,
+    /// Run this PROGRAM, whatever a configuration says [default: what a configuration says, or main, or the first]
+    #[arg(long = "program", value_name = "NAME")]
+    pub runs: Option<String>,
+    /// Give a variable a value before the first scan, or another one: `IN = BOOL#TRUE`, `IN = BOOL#FALSE before 3`; may be repeated
+    #[arg(long, value_name = "SETTING", value_parser = setting)]
+    pub set: Vec<Setting>,
     /// Run N scans
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(0, u32::MAX.into()), allow_negative_numbers = true)]
     pub scans: u32,
@@ -266,6 +283,22 @@ pub struct CompletionsArguments {
     /// The shell
     #[arg(value_name = "SHELL")]
     pub shell: Shell,
+}
+
+/// Parses `NAME = VALUE` and `NAME = VALUE before SCAN`, as the marks of case files have it.
+fn setting(text: &str) -> Result<Setting, String> {
+    let wrong = || format!("`{text}` is no setting; write `NAME = INT#5` or `NAME = INT#5 before 3`");
+    let (name, rest) = text.split_once('=').ok_or_else(wrong)?;
+    let (value, before) = match rest.rsplit_once(" before ") {
+        Some((value, scan)) => (value, scan.trim().parse().map_err(|_| wrong())?),
+        None => (rest, 1),
+    };
+    let value = Value::parse(value.trim()).map_err(|error| format!("{}: {error}", value.trim()))?;
+    Ok(Setting {
+        before,
+        name: name.trim().into(),
+        value,
+    })
 }
 
 /// Parses a duration that is no less than none: its nanoseconds.

@@ -5,11 +5,10 @@ mod result;
 mod trace;
 mod variables;
 
-use super::list;
 use crate::arguments::JudgeArguments;
 use crate::engines::{self, REFERENCE};
 use crate::exit::Exit;
-use crate::{interrupt, snippet, source_file};
+use crate::{interrupt, output, snippet, source_file};
 use anyhow::{Context, bail, ensure};
 use caller::Judged;
 use result::TraceResult;
@@ -95,7 +94,7 @@ impl Judge<'_, '_> {
                 Ok(of_file) => exit = exit.worst(of_file),
                 Err(error) => {
                     out.flush()?;
-                    crate::output::error(&error);
+                    output::error(&error);
                     exit = exit.worst(Exit::Usage);
                 }
             }
@@ -128,7 +127,7 @@ impl Judge<'_, '_> {
                 exit = exit.worst(Exit::Failures);
             }
             match self.arguments.json {
-                true => list::write_json(out, &result)?,
+                true => output::json_line(out, &result)?,
                 false => result.write(self.arguments.batch.is_some(), out)?,
             }
         }
@@ -157,7 +156,7 @@ impl Judge<'_, '_> {
             }
         };
         if !self.arguments.json {
-            snippet::write(&diagnostics, &text, path, out)?;
+            snippet::write(&diagnostics, &text, |_| (path, 0), out)?;
         }
         let first = diagnostics.iter().find(|one| one.is_error());
         let reason = first.map(|one| format!("line {}: {}", one.line.unwrap_or_default(), one.message));

@@ -24,7 +24,7 @@ pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Resu
             Ok(Exit::AsExpected)
         }
         Err(diagnostics) => {
-            snippet::write(&diagnostics, &text, &path, &mut anstream::stderr())?;
+            snippet::write(&diagnostics, &text, |_| (&path, 0), &mut anstream::stderr())?;
             Ok(Exit::Failures)
         }
     }
