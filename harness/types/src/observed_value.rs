@@ -37,8 +37,7 @@ impl Value {
 fn out_of_range(literal: &str) -> Option<Value> {
     let (prefix, rest) = literal.split_once('#')?;
     let ty = ElementaryType::from_literal_prefix(prefix)?;
-    let is_counted = ty.is_duration() || ty.is_date_or_time();
-    let nanoseconds = wide_duration(rest).ok().filter(|_| is_counted)?;
+    let nanoseconds = wide_duration(rest).ok().filter(|_| ty.is_moment())?;
     let value = Value::of_nanoseconds(ty, nanoseconds);
     matches!(value, Value::OutOfRange { .. }).then_some(value)
 }

@@ -94,11 +94,24 @@ impl Value {
         typed[start..].to_owned()
     }
 
+    /// Returns a number as a value of `REAL`, to which it is rounded, or else of `LREAL`.
+    pub fn of_real(ty: ElementaryType, number: f64) -> Value {
+        Value::plain(ty, ty.real_bits(number))
+    }
+
+    /// Returns the number of a `REAL` or `LREAL`, exactly; `None` for values of other types.
+    pub fn real(&self) -> Option<f64> {
+        match *self {
+            Value::Plain { ty, raw } => ty.real_value(raw),
+            _ => None,
+        }
+    }
+
     /// Returns the literal that a program writes for the value where its type is expected: without the type, or with it for
     /// durations, dates and enumerations.
     pub fn literal(&self) -> String {
         match self {
-            Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
+            Value::Plain { ty, .. } if ty.is_moment() => self.to_string(),
             Value::Plain { .. } | Value::Text { .. } => self.without_type(),
             Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => self.to_string(),
         }
@@ -217,17 +230,15 @@ fn fits(value: i128, ty: ElementaryType) -> bool {
 
 /// Returns the raw form of a NaN or an infinity, if the text is one of Stickler's words for them.
 fn not_finite(rest: &str, ty: ElementaryType) -> Option<u64> {
-    let (single, double) = match rest {
-        _ if rest.eq_ignore_ascii_case("NaN") => (f32::NAN, f64::NAN),
-        _ if rest.eq_ignore_ascii_case("Infinity") => (f32::INFINITY, f64::INFINITY),
-        _ if rest.eq_ignore_ascii_case("-Infinity") => (f32::NEG_INFINITY, f64::NEG_INFINITY),
-        _ => return None,
-    };
-    Some(if ty == ElementaryType::Real {
-        u64::from(single.to_bits())
-    } else {
-        double.to_bits()
-    })
+    let words = [
+        ("NaN", f64::NAN),
+        ("Infinity", f64::INFINITY),
+        ("-Infinity", f64::NEG_INFINITY),
+    ];
+    let (_, number) = words
+        .into_iter()
+        .find(|(word, _)| rest.eq_ignore_ascii_case(word))?;
+    Some(ty.real_bits(number))
 }
 
 /// Returns the code units of a text or character, whose quotes must be those of the type.
@@ -349,9 +360,5 @@ impl PartialEq for Value {
 impl Eq for Value {}
 
 fn is_nan(ty: ElementaryType, raw: u64) -> bool {
-    match ty {
-        ElementaryType::Real => f32::from_bits(raw as u32).is_nan(),
-        ElementaryType::Lreal => f64::from_bits(raw).is_nan(),
-        _ => false,
-    }
+    ty.real_value(raw).is_some_and(f64::is_nan)
 }

@@ -4,7 +4,6 @@ use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureRe
 use super::values::{CallOperands, MAX_VALUE_LEN};
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
-use crate::literals;
 use crate::session::RefusalKind;
 use crate::table::{Alignment, Cell, Table};
 use anstyle::{AnsiColor, Style};
@@ -377,7 +376,7 @@ fn operands(calls: &[CallOperands], types: &[ElementaryType]) -> Vec<Column> {
 /// Returns the text of an operand. A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL
 /// has the fewest that read back to the same bits, `2147483600.0`.
 fn operand(value: &Value, ty: ElementaryType) -> String {
-    match literals::real(value) {
+    match value.real() {
         Some(number) if number.abs() < LARGE && number == number.trunc() => format!("{number:.1}"),
         _ => untyped(value, ty),
     }

@@ -20,7 +20,7 @@ use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, M
 /// Basis: harness/engines/README.md (how values are written); for integers forgeiec-conversion-functions: The naming pattern.
 pub(crate) fn write(raw: u64, from: ElementaryType, choices: &ConversionChoices) -> String {
     let nanoseconds = i128::from(raw.cast_signed());
-    if choices.moment_text == MomentText::Components && (from.is_duration() || from.is_date_or_time()) {
+    if choices.moment_text == MomentText::Components && from.is_moment() {
         return moment(raw, from);
     }
     match from.family() {

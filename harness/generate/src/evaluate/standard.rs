@@ -35,10 +35,7 @@ impl<'p> ModelEvaluator<'p> {
             let (MemoryCell::Plain(raw), Ok(ty)) = (cell, self.elementary(&argument.ty)) else {
                 return true;
             };
-            match ty {
-                ElementaryType::Real => f32::from_bits(*raw as u32).is_finite(),
-                _ => ty != ElementaryType::Lreal || f64::from_bits(*raw).is_finite(),
-            }
+            ty.real_value(*raw).is_none_or(f64::is_finite)
         };
         if keeps && matches!(function, Abs | Limit) && !cells.iter().zip(arguments).all(is_finite) {
             self.open(OpenQuestion::NotANumber, || {

@@ -188,15 +188,11 @@ impl ProgramBuilder<'_, '_> {
     /// Generates `sum := sum * 0.5 + value;`.
     fn mixed_real(&self, sum: Checksum, value: Expression, ty: ElementaryType) -> Option<Statement> {
         let value = self.as_number(value, ty, sum.ty)?;
-        let half = match sum.ty {
-            ElementaryType::Real => u64::from(0.5_f32.to_bits()),
-            _ => 0.5_f64.to_bits(),
-        };
         let form = match self.lacks_typed(sum.ty) {
             true => LiteralForm::Untyped,
             false => LiteralForm::Typed,
         };
-        let half = Expression::literal(sum.ty, Value::plain(sum.ty, half), form);
+        let half = Expression::literal(sum.ty, Value::of_real(sum.ty, 0.5), form);
         Some(self.combined(sum, half, value))
     }
 

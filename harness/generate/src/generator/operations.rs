@@ -218,14 +218,7 @@ pub(super) fn has_bits(seen: &VisiblePlace) -> bool {
 }
 
 fn one(ty: ElementaryType) -> Value {
-    Value::plain(
-        ty,
-        match ty {
-            ElementaryType::Real => u64::from(1.0_f32.to_bits()),
-            ElementaryType::Lreal => 1.0_f64.to_bits(),
-            _ => 1,
-        },
-    )
+    Value::plain(ty, if ty.is_real() { ty.real_bits(1.0) } else { 1 })
 }
 
 /// Returns whether a value is safe as a divisor: a real neither zero nor tiny, an integer neither 0 nor -1 (which overflows
@@ -234,18 +227,9 @@ fn divides(value: &Value) -> bool {
     let &Value::Plain { ty, raw } = value else {
         return false;
     };
-    match real(ty, raw) {
+    match ty.real_value(raw) {
         // A quotient by a tiny number soon overflows.
         Some(number) => number.abs() >= 0.001,
         None => !(-1..=0).contains(&ty.integer_value(raw)),
-    }
-}
-
-/// Decodes a REAL or LREAL; `None` for any other type.
-pub(super) fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
-    match ty {
-        ElementaryType::Real => Some(f32::from_bits(raw as u32).into()),
-        ElementaryType::Lreal => Some(f64::from_bits(raw)),
-        _ => None,
     }
 }

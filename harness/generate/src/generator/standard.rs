@@ -2,7 +2,6 @@
 
 use super::builder::ProgramBuilder;
 use super::literals;
-use super::operations::real;
 use super::places::integer;
 use super::type_context::TypeContext;
 use crate::model::{Expression, LiteralForm, StandardFunction as Function};
@@ -147,7 +146,7 @@ fn is_above(one: &Value, other: &Value) -> bool {
     let (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) = (one, other) else {
         return false;
     };
-    match (real(ty, raw), real(ty, other)) {
+    match (ty.real_value(raw), ty.real_value(other)) {
         (Some(one), Some(other)) => one > other,
         _ => ty.integer_value(raw) > ty.integer_value(other),
     }

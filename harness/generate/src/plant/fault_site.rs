@@ -295,8 +295,7 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
             let value = Value::text(ty, vec![u16::from(b'a'), u16::from(b'b')]);
             return Expression::literal(ty, value, form);
         }
-        Family::Real if ty == ElementaryType::Real => u64::from(1.5f32.to_bits()),
-        Family::Real => 1.5f64.to_bits(),
+        Family::Real => ty.real_bits(1.5),
         Family::Character => u64::from(b'a'),
         Family::Duration | Family::TimeOfDay => SECOND,
         Family::Date | Family::DateAndTime => 0,

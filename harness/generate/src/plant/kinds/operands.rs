@@ -35,7 +35,7 @@ pub(super) fn operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: iec-61131-3: Table 35.
 pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: ElementaryType) -> bool {
-    let of_moments = |ty: ElementaryType| ty.is_duration() || ty.is_date_or_time();
+    let of_moments = ElementaryType::is_moment;
     let number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
     let both = |this: &dyn Fn(ElementaryType) -> bool, that: &dyn Fn(ElementaryType) -> bool| {
         this(one) && that(other) || this(other) && that(one)
