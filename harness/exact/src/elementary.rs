@@ -5,7 +5,7 @@
 //! Basis: iec-61131-3: Tables 28 and 29 (the functions); IEC 60559: roundTiesToEven.
 
 use crate::integer;
-use crate::real::{self, Real, nearest};
+use crate::real::{self, Finite, Real, nearest};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -50,11 +50,11 @@ fn fixed(value: &Value) -> Option<BigInt> {
         return Some(BigInt::from(integer::number(raw, ty)) << PRECISION);
     }
     match real::decode(raw, ty) {
-        Real::Finite {
+        Real::Finite(Finite {
             negative,
             significand,
             exponent,
-        } if ty.is_real() => {
+        }) if ty.is_real() => {
             let number = BigInt::from(significand) << (PRECISION as i32 + exponent).unsigned_abs();
             Some(if negative { -number } else { number })
         }

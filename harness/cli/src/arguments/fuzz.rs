@@ -15,7 +15,7 @@ use stickler_workers::Shard;
 pub struct FuzzArguments {
     /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
     /// convert, literal, parse]
-    #[arg(long, value_name = "TARGET", value_parser = super::one_of(targets(), FuzzTarget::name), conflicts_with_all = ["engine", "dialect"])]
+    #[arg(long, value_name = "TARGET", value_parser = super::one_of(targets(), FuzzTarget::as_str), conflicts_with_all = ["engine", "dialect"])]
     pub target: Vec<FuzzTarget>,
     /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
     /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
@@ -111,7 +111,7 @@ pub struct MergeArguments {
 }
 
 fn targets() -> impl Iterator<Item = FuzzTarget> {
-    let all = FuzzTarget::ALL.into_iter();
+    let all = FuzzTarget::ALL.iter().copied();
     all.filter(|target| *target != FuzzTarget::Differential)
 }
 

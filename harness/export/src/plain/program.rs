@@ -181,6 +181,15 @@ fn condition(expected: &ExpectedValue) -> Option<String> {
                 None => format!("{name} < -{greatest}"),
             })
         }
+        // The raw forms of numbers of one sign are in the order of their amounts.
+        Value::Near { ty, raw, units } => {
+            let [one, other] = [raw - u64::from(*units), raw + u64::from(*units)];
+            let ends = [one, other].map(|raw| literal(&Value::plain(*ty, raw)));
+            let [one, other] = [ends[0].as_ref()?, ends[1].as_ref()?];
+            let is_negative = raw >> (ty.bits() - 1) == 1;
+            let (least, greatest) = if is_negative { (other, one) } else { (one, other) };
+            Some(format!("({name} >= {least}) AND ({name} <= {greatest})"))
+        }
         // A truth value needs no comparison, which not every dialect has of them.
         Value::Plain {
             ty: ElementaryType::Bool,

@@ -4,7 +4,7 @@ use super::builder::ProgramBuilder;
 use super::literals;
 use super::places::integer;
 use super::type_context::TypeContext;
-use crate::model::{Expression, LiteralForm, StandardFunction as Function};
+use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function};
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {

@@ -103,7 +103,7 @@ impl<'m> Lowering<'m> {
         }
         match concatenation(name, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
-            None if is_not_implemented(name.text) => {
+            None if is_not_implemented(name) => {
                 Callee::Nothing(Code::NotImplemented, "is standard, and not implemented")
             }
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),

@@ -156,7 +156,7 @@ fn value(given: &Json, like: &Value) -> Option<Value> {
             let name = text.rsplit('#').next()?;
             Some(Value::enumerated(type_name.as_str(), name))
         }
-        Value::Plain { ty, .. } | Value::OutOfRange { ty, .. } => {
+        Value::Plain { ty, .. } | Value::OutOfRange { ty, .. } | Value::Near { ty, .. } => {
             let typed = Value::parse(&text)
                 .ok()
                 .filter(|value| value.type_name() == ty.name());
