@@ -1,6 +1,7 @@
 //! Standard functions other than conversions.
 //!
-//! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
+//! Basis: iec-61131-3: Tables 28 to 32 and 34; the tables standard-functions and functions-of-texts of the cases. IEC 60559 rounds a square root
+//! once.
 
 use super::arithmetic::{self, Computed};
 use super::cell::MemoryCell;
@@ -23,7 +24,9 @@ impl<'p> ModelEvaluator<'p> {
         function: StandardFunction,
         arguments: &'p [Expression],
     ) -> Result<MemoryCell, EvaluationError> {
-        use StandardFunction::{Abs, Concat, Len, Limit, Max, Min, Mux, Rol, Ror, Sel, Shl, Shr};
+        use StandardFunction::{
+            Abs, Concat, Find, Left, Len, Limit, Max, Min, Mux, Right, Rol, Ror, Sel, Shl, Shr, SquareRoot,
+        };
         let mut cells = Vec::with_capacity(arguments.len());
         for argument in arguments {
             cells.push(self.expression(unit, argument)?);
@@ -62,6 +65,24 @@ impl<'p> ModelEvaluator<'p> {
                 self.computed(unit, computed, || format!("{function:?} of {ty} by {count}"))
             }
             (Len, [MemoryCell::Text(units)], _) => Ok(MemoryCell::Plain(units.len() as u64)),
+            (Find, [MemoryCell::Text(units), MemoryCell::Text(sought)], _) if !sought.is_empty() => {
+                let mut places = units.windows(sought.len());
+                let at = places.position(|place| place == &sought[..]);
+                Ok(MemoryCell::Plain(at.map_or(0, |at| at as u64 + 1)))
+            }
+            (Left | Right, [MemoryCell::Text(units), MemoryCell::Plain(count)], _) => {
+                let kept = usize::try_from(*count).map_or(units.len(), |count| count.min(units.len()));
+                let (left, right) = (&units[..kept], &units[units.len() - kept..]);
+                Ok(MemoryCell::Text(
+                    if function == Left { left } else { right }.into(),
+                ))
+            }
+            (SquareRoot, [MemoryCell::Plain(raw)], [argument]) => {
+                Ok(MemoryCell::Plain(match self.elementary(&argument.ty)? {
+                    ElementaryType::Real => f32::from_bits(*raw as u32).sqrt().to_bits().into(),
+                    _ => f64::from_bits(*raw).sqrt().to_bits(),
+                }))
+            }
             (Concat, [MemoryCell::Text(a), MemoryCell::Text(b)], _) => {
                 let joined = [&a[..], &b[..]].concat();
                 if joined.len() > SHORTEST_DEFAULT_LENGTH {

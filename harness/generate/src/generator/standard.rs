@@ -80,10 +80,13 @@ impl ProgramBuilder<'_, '_> {
             }
             _ => operand,
         };
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Abs, vec![operand]),
-        ))
+        let absolute = Expression::elementary(ty, ExpressionKind::Standard(Function::Abs, vec![operand]));
+        // Of the functions of real numbers this one alone has a result that is exact.
+        if ty.is_real() && !self.lacks("sqrt") && self.random.chance(1, 2) {
+            let root = ExpressionKind::Standard(Function::SquareRoot, vec![absolute]);
+            return Some(Expression::elementary(ty, root));
+        }
+        Some(absolute)
     }
 
     /// Generates SHL, SHR, ROL or ROR by fewer bits than the type has; with open constructs sometimes by more.
@@ -107,18 +110,36 @@ impl ProgramBuilder<'_, '_> {
         Expression::elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
     }
 
-    /// Generates LEN.
+    /// Generates LEN, or FIND of a text that is not empty.
     pub fn length(&mut self, depth: usize) -> Expression {
         let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
-        Expression::elementary(
-            ElementaryType::Int,
-            ExpressionKind::Standard(Function::Len, vec![operand]),
-        )
+        let sought = self.literal(ElementaryType::String, TypeContext::Exact);
+        let is_found = matches!(&sought.kind, ExpressionKind::Literal(Value::Text { units, .. }, _) if !units.is_empty());
+        let call = if is_found && !self.lacks("find") && self.random.chance(1, 2) {
+            ExpressionKind::Standard(Function::Find, vec![operand, sought])
+        } else {
+            ExpressionKind::Standard(Function::Len, vec![operand])
+        };
+        Expression::elementary(ElementaryType::Int, call)
     }
 
-    /// Generates CONCAT of a text and a literal.
+    /// Generates CONCAT of a text and a literal, or LEFT or RIGHT of a text.
     pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let text = self.value(ty, TypeContext::Exact, depth.min(2));
+        let function = [Function::Left, Function::Right][self.random.below(2)];
+        let key = if function == Function::Left {
+            "left"
+        } else {
+            "right"
+        };
+        if self.random.chance(1, 3) && !self.lacks(key) {
+            let count = integer(
+                ElementaryType::Int,
+                self.random.between(0, 9),
+                LiteralForm::Untyped,
+            );
+            return Expression::elementary(ty, ExpressionKind::Standard(function, vec![text, count]));
+        }
         let more = self.literal(ty, TypeContext::Exact);
         let arguments = if self.random.chance(1, 2) {
             vec![more, text]

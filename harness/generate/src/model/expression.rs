@@ -215,5 +215,13 @@ words! {
         Len = "LEN",
         /// `CONCAT(IN1, IN2)`
         Concat = "CONCAT",
+        /// `LEFT(IN, L)`
+        Left = "LEFT",
+        /// `RIGHT(IN, L)`
+        Right = "RIGHT",
+        /// `FIND(IN1, IN2)`
+        Find = "FIND",
+        /// `SQRT(IN)`
+        SquareRoot = "SQRT",
     }
 }

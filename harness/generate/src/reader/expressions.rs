@@ -305,6 +305,9 @@ impl Reader<'_> {
             (S::Limit, all) if all.len() == 3 && alike(all) => all[0],
             (S::Shl | S::Shr | S::Rol | S::Ror, [ty, count]) if **count == INT => ty,
             (S::Len, [_]) => &INT,
+            (S::Left | S::Right, [ty, count]) if **count == INT => ty,
+            (S::Find, all) if all.len() == 2 && alike(all) => &INT,
+            (S::SquareRoot, [ty]) if matches!(ty, Type::Elementary(ty) if ty.is_real()) => ty,
             _ => return None,
         };
         Some(Expression {
