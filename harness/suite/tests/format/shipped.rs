@@ -105,11 +105,7 @@ fn results_of_functions_of_reals_are_those_of_exact_arithmetic() {
         let nearest = nearest.map(|value| value.to_string()).unwrap_or_default();
         let stated = expected.value.to_string();
         assert_eq!(stated.split(" within ").next(), Some(&*nearest), "{}", case.id);
-<<<<<<< ours
-        checked.insert(case.question.as_ref().map(ToString::to_string));
-=======
         checked.insert(case.id.to_string());
->>>>>>> theirs
     }
     assert!(checked.len() > 150, "only {} calls", checked.len());
 }
