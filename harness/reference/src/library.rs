@@ -17,6 +17,18 @@ const TEXTS: [&str; 4] = [
 /// The blocks of systems whose inputs are called SET and RESET.
 const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
+/// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented: a name a line.
+///
+/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
+const NOT_IMPLEMENTED: &str = include_str!("../library/not_implemented.txt");
+
+/// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
+pub(crate) fn is_not_implemented(name: &str) -> bool {
+    NOT_IMPLEMENTED
+        .lines()
+        .any(|known| known.eq_ignore_ascii_case(name))
+}
+
 /// The types of counters, of which the first one's are written in `library`.
 const COUNTED: [ElementaryType; 5] = [
     ElementaryType::Int,

@@ -63,6 +63,7 @@ mod trace;
 mod types;
 mod variables;
 
+pub use calls::is_standard_function;
 pub use check::{check, check_traced};
 pub use observation::{CheckedProgram, ObservedType, ObservedVariable};
 pub use trace::{TracedUse, UseKind};

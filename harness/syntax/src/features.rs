@@ -64,6 +64,9 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
         partial_access: PartialAccess::UpToLongWords,
         third_edition_types: ThirdEditionTypes::All,
         lengths_in_parentheses: true,
+        reals_without_point: true,
+        ends_without_semicolon: true,
+        library_namespaces: true,
         ampersand_and_power: true,
         ..dialect.clone()
     }
@@ -186,6 +189,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             let written = token.span.text(text);
             match token.kind {
                 TokenKind::Ampersand => self.note("ampersand", token.span),
+                TokenKind::Real if !written.contains('.') => {
+                    self.note("real-without-point", token.span);
+                }
                 TokenKind::Partial => self.note(partial_access(written), token.span),
                 _ if token.kind.is_literal() && is_number_with_underscore(written) => {
                     self.note("literal-underscore", token.span);
@@ -227,6 +233,12 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
+        if matches!(
+            declaration.specification.kind,
+            TypeSpecificationKind::Structure(_)
+        ) {
+            self.end_of_block(declaration.specification.span);
+        }
         let key = match &declaration.specification.kind {
             TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => "type-alias",
             TypeSpecificationKind::Array { .. } => "array-type",
@@ -277,9 +289,14 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             );
         }
         if let TypeSpecificationKind::Named(ty) = &group.specification.kind
-            && self.declared(ty.text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
+            && self.declared(ty.unqualified().text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
         {
             self.note("function-block-instance", ty.span);
+            let is_temporary = at
+                .section
+                .is_some_and(|section| section.kind != VariableKind::InOut)
+                && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
+            self.note_if(is_temporary, "function-block-in-function", ty.span);
         }
     }
 
@@ -336,6 +353,13 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn statement(&mut self, statement: &'t Statement, _: &Context<'t, 's>) {
         let span = statement.span;
+        use StatementKind::{Case, For, If, Repeat, While};
+        if matches!(
+            statement.kind,
+            If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
+        ) {
+            self.end_of_block(span);
+        }
         match &statement.kind {
             StatementKind::Assignment { .. } | StatementKind::Call(_) => {}
             StatementKind::If { branches, otherwise } => {
@@ -386,7 +410,15 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 }
 
 impl<'s> FeatureFinder<'_, 's> {
+    /// Notes what has an END_… of its own and no `;` behind it.
+    fn end_of_block(&mut self, span: Span) {
+        let behind = self.text.get(span.end as usize..).unwrap_or_default();
+        let is_closed = behind.trim_start().starts_with([';', ':', '(', '/', '{']);
+        self.note_if(!is_closed, "end-without-semicolon", span);
+    }
+
     fn named_type(&mut self, name: &Name<'s>) {
+        self.note_if(name.text.contains('.'), "qualified-name", name.span);
         if let Some(ty) = ElementaryType::from_name(name.text) {
             self.note_type(ty, name.span);
         }

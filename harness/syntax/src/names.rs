@@ -194,7 +194,9 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         match &specification.kind {
             TypeSpecificationKind::Named(name)
             | TypeSpecificationKind::Text { name, .. }
-            | TypeSpecificationKind::Subrange { base: name, .. } => self.note(*name, UseKind::Type, at.pou),
+            | TypeSpecificationKind::Subrange { base: name, .. } => {
+                self.note(name.unqualified(), UseKind::Type, at.pou);
+            }
             TypeSpecificationKind::Enumeration { base, values } => {
                 if let Some(base) = base {
                     self.note(*base, UseKind::Type, at.pou);

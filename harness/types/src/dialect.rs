@@ -5,7 +5,7 @@
 //! meaning is implemented twice, independently: by the reference and by exact arithmetic.
 
 use crate::choice::{Choice, choices};
-pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
+pub use crate::options::{FreeWords, PartialAccess, ThirdEditionTypes, Widening};
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 use crate::{
     ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
@@ -132,6 +132,36 @@ choices! {
         /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
         /// Specific Features.
         mixed_locations: bool = true, ["flags.mixed-locations"];
+        /// A real literal needs no point before its exponent: `1E5`.
+        ///
+        /// Basis: codesys-pages: _cds_operands_constant_real; iec-61131-3: Table 5, by which it does.
+        reals_without_point: bool = false, ["flags.reals-without-point"];
+        /// No `;` need stand behind END_IF, END_CASE, END_FOR, END_WHILE and END_REPEAT, and behind the last END_STRUCT of TYPE.
+        ///
+        /// Basis: codesys-pages: _cds_exst_operator_expression, _cds_datatype_structure; strucpp-tests: libs/sources/plcopen-softmotion/opensml_sync_position.st.
+        ends_without_semicolon: bool = false, ["flags.ends-without-semicolon"];
+        /// Bit strings apart from BOOL are integers where one is needed: as a subscript, a bound of FOR, the number of places of a shift, the
+        /// factor of a duration, and behind CASE.
+        ///
+        /// Basis: codesys-pages: _cds_datatype_integer, _cds_operator_mul; iec-61131-3: 7.3.3.
+        bit_strings_as_integers: bool = false, ["flags.bit-strings-as-integers"];
+        /// A name may be qualified by that of its library or of its list of global variables, of which the text need not tell: what it qualifies
+        /// is declared in the text, or is standard.
+        ///
+        /// Basis: codesys-pages: _cds_rules.
+        library_namespaces: bool = false, ["flags.library-namespaces"];
+        /// A function may have instances of function blocks, which begin anew with each call.
+        ///
+        /// Basis: codesys-analysis: SA0167; ironplc-problem-codes: P4054, by which it may not.
+        blocks_in_functions: bool = false, ["flags.blocks-in-functions"];
+        /// A value of an enumeration may be qualified by a point: `COLOR.RED`.
+        ///
+        /// Basis: codesys-pages: _cds_operator_namespace_enum.
+        values_behind_points: bool = false, ["flags.values-behind-points"];
+        /// Keywords, and names of data types, that may name something else: ON outside of a configuration.
+        ///
+        /// Basis: twincat-pages: Keywords.
+        free_words: FreeWords = FreeWords::NONE, ["language.free-words"];
         /// Two apostrophes in a text in single quotes are one: `'it''s'`.
         ///
         /// Basis: ironplc-data-types: string; iec-61131-3: Table 7, by which an apostrophe is `$'`.

@@ -129,3 +129,32 @@ impl ThirdEditionTypes {
 }
 
 choices_of_words! { Widening, }
+
+/// Words that a dialect does not reserve though others do, in capital letters.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FreeWords(Vec<String>);
+
+impl FreeWords {
+    /// No words: all keywords and names of elementary types are reserved.
+    pub const NONE: FreeWords = FreeWords(Vec::new());
+
+    /// Returns whether a word, in any case, is one of these.
+    #[must_use]
+    pub fn contain(&self, word: &str) -> bool {
+        self.0.iter().any(|free| free.eq_ignore_ascii_case(word))
+    }
+}
+
+impl Choice for FreeWords {
+    fn state(&mut self, _: &str, value: &DeValue<'_>) -> Result<(), String> {
+        let wrong = || "must be a list of words in quotes: `[\"ON\", \"TASK\"]`".to_owned();
+        let words = value.as_array().ok_or_else(wrong)?.iter();
+        let words = words.map(|word| word.get_ref().as_str().map(str::to_ascii_uppercase));
+        self.0 = words.collect::<Option<_>>().ok_or_else(wrong)?;
+        Ok(())
+    }
+
+    fn written(&self, _: &str) -> Cow<'static, str> {
+        format!("{:?}", self.0).into()
+    }
+}

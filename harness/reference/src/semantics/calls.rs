@@ -7,9 +7,10 @@ use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::Instruction;
+use crate::library::is_not_implemented;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, Dialect, ElementaryType};
 
 /// The callee of a call.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +29,14 @@ pub(super) enum Callee {
     Nothing(Code, &'static str),
     /// An expression whose mistake is reported elsewhere.
     Silent,
+}
+
+/// Returns whether a standard function or a type conversion function of the dialect has a name.
+#[must_use]
+pub fn is_standard_function(name: &str, dialect: &Dialect) -> bool {
+    standard_function(name).is_some()
+        || function(name, dialect).is_some()
+        || concatenation(name, dialect).is_some()
 }
 
 impl<'m> Lowering<'m> {
@@ -93,6 +102,9 @@ impl<'m> Lowering<'m> {
         }
         match concatenation(name.text, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
+            None if is_not_implemented(name.text) => {
+                Callee::Nothing(Code::NotImplemented, "is standard, and not implemented")
+            }
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
         }
     }

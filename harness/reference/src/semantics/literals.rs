@@ -8,6 +8,7 @@ use super::inferred::{Inferred, Magnitude};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
 use crate::instruction::Instruction;
+use std::borrow::Cow;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, quoted};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Literal, LiteralKind};
@@ -280,7 +281,7 @@ fn as_real(raw: u64) -> u64 {
 /// Reads a number as a real, rounded once from its digits.
 pub(super) fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     match literal.kind {
-        LiteralKind::Real => literal::real(literal.text(), ty),
+        LiteralKind::Real => literal::real(&with_point(literal.text()), ty),
         LiteralKind::Integer => literal::real(&format!("{}.0", literal.text()), ty),
         _ => {
             let value = literal::unsigned_integer(literal.text())?;
@@ -319,5 +320,15 @@ pub(super) fn text_type(wide: bool) -> ElementaryType {
         ElementaryType::Wstring
     } else {
         ElementaryType::String
+    }
+}
+
+/// Returns a real number with the point that some dialects let it do without: `1.0E5` for `1E5`.
+fn with_point(text: &str) -> Cow<'_, str> {
+    match text.find(['e', 'E']) {
+        Some(exponent) if !text.contains('.') => {
+            format!("{}.0{}", &text[..exponent], &text[exponent..]).into()
+        }
+        _ => text.into(),
     }
 }

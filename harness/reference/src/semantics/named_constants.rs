@@ -96,7 +96,7 @@ impl<'u> Declarer<'u, '_> {
         for _ in 0..MAX_CHAIN {
             let name = match kind {
                 TypeSpecificationKind::Named(name) | TypeSpecificationKind::Subrange { base: name, .. } => {
-                    *name
+                    name.unqualified()
                 }
                 TypeSpecificationKind::Text { name, length } => return self.written_text(*name, *length),
                 TypeSpecificationKind::Error => return ConstantType::Unknown,

@@ -6,6 +6,7 @@
 use super::common::TypeRules;
 use super::contexts::elementary_value;
 use super::inferred::Inferred;
+use super::places::counting;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
@@ -224,6 +225,7 @@ impl TypeRules<'_> {
 
     /// A duration multiplied or divided by a number, or a number by which a duration is multiplied.
     fn scale(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        let is_number = |ty: ElementaryType| ty.is_real() || counting(ty, self.dialect).is_some();
         let (duration, number, swapped) = match (left.elementary(), right.elementary()) {
             (Some(ty), other) if ty.is_duration() && other.is_none_or(is_number) => (ty, right, false),
             (other, Some(ty)) if ty.is_duration() && other.is_none_or(is_number) => (ty, left, true),
@@ -247,7 +249,7 @@ impl TypeRules<'_> {
         };
         let action = Action::Scale {
             operator,
-            number,
+            number: counting(number, self.dialect).unwrap_or(number),
             swapped,
         };
         defined.then_some(TypedOperation::new((left, right), action, duration))

@@ -137,7 +137,7 @@ struct Needs<'a, 'u> {
 impl Needs<'_, '_> {
     fn specification(&mut self, specification: &TypeSpecification<'_>) {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.name(*name),
+            TypeSpecificationKind::Named(name) => self.name(name.unqualified()),
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
             TypeSpecificationKind::Structure(groups) => {

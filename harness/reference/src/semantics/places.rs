@@ -12,7 +12,7 @@ use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
-use stickler_types::dialect::PartialAccess;
+use stickler_types::dialect::{Dialect, PartialAccess};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -196,7 +196,7 @@ impl<'m> Lowering<'m> {
         let inferred = self.infer(id);
         let wanted = TypeId::of(wanted);
         let fits = match inferred {
-            Inferred::Known(ty) => ty.elementary().is_some_and(ElementaryType::is_integer),
+            Inferred::Known(ty) => ty.elementary().is_some_and(|ty| self.counting(ty).is_some()),
             Inferred::Integer(_) | Inferred::Error | Inferred::Pending | Inferred::Enumerated => true,
             Inferred::Nothing | Inferred::Real | Inferred::Text { .. } => false,
         };
@@ -205,7 +205,14 @@ impl<'m> Lowering<'m> {
             self.report_lowered_misfit(id, inferred, value, wanted, context);
             return None;
         }
-        (value.ty != TypeId::ERROR).then_some(value)
+        let ty = value.ty.elementary().and_then(|ty| self.counting(ty));
+        let ty = ty.map_or(value.ty, TypeId::of);
+        (value.ty != TypeId::ERROR).then_some(LoweredValue { ty, ..value })
+    }
+
+    /// As [`counting`], in the dialect of the text.
+    pub(super) fn counting(&self, ty: ElementaryType) -> Option<ElementaryType> {
+        counting(ty, self.model.source.dialect)
     }
 
     /// A part of a variable's bits, or of such a part. One that the type does not have is a BOOL, BYTE, WORD or DWORD all the same,
@@ -294,4 +301,13 @@ impl<'m> Lowering<'m> {
                 | ExpressionKind::Part { .. }
         )
     }
+}
+
+/// Returns the integer type of values by which things are counted and selected: the unsigned one of bit strings, where the dialect takes them.
+pub(super) fn counting(ty: ElementaryType, dialect: &Dialect) -> Option<ElementaryType> {
+    if !ty.is_bit_string() || !dialect.bit_strings_as_integers {
+        return ty.is_integer().then_some(ty);
+    }
+    let mut all = ElementaryType::ALL.into_iter();
+    all.find(|other| other.is_unsigned() && other.bits() == ty.bits())
 }

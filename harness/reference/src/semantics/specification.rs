@@ -7,6 +7,7 @@ use super::scope::NamedList;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
 };
+use crate::library::is_not_implemented;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     CaseFolded, ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
@@ -25,7 +26,7 @@ impl<'u> Declarer<'u, '_> {
         hint: &'u str,
     ) -> TypeId {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.named(*name),
+            TypeSpecificationKind::Named(name) => self.named(name.unqualified()),
             TypeSpecificationKind::Text { name, length } => self.text(*name, *length),
             TypeSpecificationKind::Subrange { base, limits } => {
                 self.subrange(*base, *limits, specification.span)
@@ -79,6 +80,10 @@ impl<'u> Declarer<'u, '_> {
                 self.later = true;
             }
             None if name.text.is_empty() => {}
+            None if is_not_implemented(name.text) => {
+                let message = format!("`{}` is standard, and not implemented", name.text);
+                self.report(Code::NotImplemented, name.span, message);
+            }
             None => {
                 let message = format!("type `{}` is not declared", name.text);
                 self.report(Code::UndeclaredUnknownType, name.span, message);

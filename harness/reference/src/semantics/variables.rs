@@ -74,7 +74,7 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
         let has_block = held && self.model.types.extent(ty).has_block;
-        if has_block && pou == PouKind::Function {
+        if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
             self.report(Code::FunctionBlockInFunction, group.specification.span, message);
         }

@@ -25,6 +25,11 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 self.note_if(is_value, "enumerated-value", span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
+            ExpressionKind::Field { base, .. }
+                if let Some(key) = self.name_of(*base, at).and_then(|name| self.qualifier(name)) =>
+            {
+                self.note(key, span);
+            }
             ExpressionKind::Field { base, .. } => {
                 let is_output = self
                     .name_of(*base, at)
@@ -63,6 +68,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             ExpressionKind::Error => {}
         }
+    }
+
+    /// Returns the feature of a name behind that of an enumeration, or behind one that the program does not declare; `None` behind others.
+    fn qualifier(&self, name: &str) -> Option<&'static str> {
+        match self.declared(name) {
+            Some(DeclaredKind::Type) => Some("enumerated-value-qualified"),
+            Some(_) => None,
+            None => Some("qualified-name"),
+        }
+    }
+
+    /// Returns the name behind that of a library; `None` where an expression is something else.
+    fn behind_library(&self, id: ExpressionId, at: &Context<'t, 's>) -> Option<&'s str> {
+        let ExpressionKind::Field { base, field } = at.unit.expression(id)?.kind else {
+            return None;
+        };
+        let library = self.name_of(base, at)?;
+        self.declared(library).is_none().then_some(field.text)
     }
 
     /// Returns the name that an expression is; `None` where it is something else.
@@ -104,7 +127,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             }
         }
-        let name = self.name_of(callee, at);
+        let name = self
+            .name_of(callee, at)
+            .or_else(|| self.behind_library(callee, at));
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),

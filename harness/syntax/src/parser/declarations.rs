@@ -62,7 +62,7 @@ impl<'s> Parser<'s, '_> {
         self.unsupported_modifiers();
         let mut blocks = Vec::new();
         let (name, result) = self.pou_header(kind, &mut blocks);
-        while self.kind().opens_section() {
+        while self.at_section() {
             if self.kind() == TokenKind::VarGlobal {
                 self.expected("variables of the POU (VAR_GLOBAL stands outside of it)");
             }

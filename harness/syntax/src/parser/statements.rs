@@ -56,7 +56,13 @@ impl<'s> Parser<'s, '_> {
             Ok(kind) => {
                 let is_block = is_block(&kind);
                 let span = first.to(self.previous_span());
-                let end = self.semicolon(TokenKind::Assign);
+                let end = match is_block && self.dialect.ends_without_semicolon {
+                    true => {
+                        self.eat(TokenKind::Semicolon);
+                        Ok(())
+                    }
+                    false => self.semicolon(TokenKind::Assign),
+                };
                 if is_block || end.is_ok() {
                     list.push(Statement { kind, span });
                 }
@@ -109,6 +115,7 @@ impl<'s> Parser<'s, '_> {
             }
             self.bump();
             let value = self.expression()?;
+            self.unsupported_chain()?;
             return Ok(StatementKind::Assignment { target, value });
         }
         self.unsupported_assignment(start)?;

@@ -11,6 +11,7 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
+            TokenKind::Name if parser.unsupported_union() => Ok(Kind::Error),
             TokenKind::Name => parser.named_type(),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
@@ -44,10 +45,7 @@ impl<'s> Parser<'s, '_> {
             }
             TokenKind::LeftParen if self.at_enumeration() => self.enumeration_type(Some(name)),
             TokenKind::LeftParen => self.subrange_type(name),
-            TokenKind::Dot => {
-                self.unsupported_qualified_type(name.span);
-                Ok(Kind::Error)
-            }
+            TokenKind::Dot => Ok(self.qualified_type(name.span)),
             _ => Ok(Kind::Named(name)),
         }
     }
@@ -152,13 +150,26 @@ impl<'s> Parser<'s, '_> {
         })
     }
 
-    /// Moves over `.name.name` behind a namespace's name.
-    fn unsupported_qualified_type(&mut self, start: Span) {
+    /// `.name.name` behind the name of a namespace.
+    fn qualified_type(&mut self, start: Span) -> Kind<'s> {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();
         }
-        self.unsupported(start.to(self.previous_span()), "names qualified by a namespace");
+        let span = start.to(self.previous_span());
+        let text = span.text(self.text);
+        let is_joined = text
+            .bytes()
+            .all(|byte| byte == b'.' || byte == b'_' || byte.is_ascii_alphanumeric());
+        if self.dialect.library_namespaces && is_joined {
+            return Kind::Named(Name { text, span });
+        }
+        let features = match self.dialect.library_namespaces {
+            true => "qualified names with blanks or comments between their parts",
+            false => "names qualified by a namespace",
+        };
+        self.unsupported(span, features);
+        Kind::Error
     }
 
     /// Moves over a type whose use is not implemented.

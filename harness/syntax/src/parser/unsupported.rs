@@ -170,6 +170,15 @@ impl<'s> Parser<'s, '_> {
             && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
+    /// `UNION … END_UNION`; says whether there was one.
+    pub(super) fn unsupported_union(&mut self) -> bool {
+        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&["UNION"], "unions (UNION)");
+        if found {
+            self.skip_past_word("END_UNION");
+        }
+        found
+    }
+
     /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`; says whether there was one.
     pub(super) fn unsupported_reference(&mut self) -> ParseResult<bool> {
         let start = self.token().span;
@@ -261,6 +270,24 @@ impl<'s> Parser<'s, '_> {
             _ => return Ok(()),
         };
         self.unsupported(start.to(self.token().span), features);
+        Err(Broken)
+    }
+
+    /// `:=` behind the value of an assignment, on the same line.
+    pub(super) fn unsupported_chain(&mut self) -> ParseResult<()> {
+        if self.kind() != TokenKind::Assign || self.previous_kind() != Some(TokenKind::Name) {
+            return Ok(());
+        }
+        self.back();
+        let begins_line = self.starts_line();
+        let start = self.bump().span;
+        if begins_line {
+            return Ok(());
+        }
+        self.unsupported(
+            start.to(self.token().span),
+            "assignments as expressions (`a := b := c`)",
+        );
         Err(Broken)
     }
 

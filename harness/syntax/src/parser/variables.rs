@@ -11,12 +11,17 @@ use crate::tree::{
 impl<'s> Parser<'s, '_> {
     /// VAR… to END_VAR; `None` for a section that is not implemented.
     pub(super) fn variable_block(&mut self) -> Option<VariableBlock<'s>> {
-        let Some(kind) = variable_kind(self.kind()) else {
+        let misspelt = self.misspelt_section();
+        let Some(kind) = misspelt.or_else(|| variable_kind(self.kind())) else {
             self.unsupported_section();
             return None;
         };
+        let is_constant = misspelt.is_some() && self.at_word("VAR_CONSTANT");
         let start = self.bump().span;
-        let (constant, retention) = self.qualifiers(kind);
+        let (constant, retention) = match misspelt {
+            Some(_) => (is_constant, None),
+            None => self.qualifiers(kind),
+        };
         self.section_end = None;
         let groups = self.variable_groups(TokenKind::EndVar);
         Some(VariableBlock {
@@ -61,7 +66,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// The next token is a name which a declaration begins with.
-    fn names_a_variable(&self) -> bool {
+    pub(super) fn names_a_variable(&self) -> bool {
         matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
     }
 
@@ -72,6 +77,12 @@ impl<'s> Parser<'s, '_> {
             match self.kind() {
                 kind if kind == closer => {
                     self.bump();
+                    return groups;
+                }
+                TokenKind::Name if closer == TokenKind::EndVar && self.at_misspelt_section_end() => {
+                    self.expected("`END_VAR`");
+                    self.bump();
+                    self.eat(TokenKind::Semicolon);
                     return groups;
                 }
                 TokenKind::Name if closer == TokenKind::EndVar && self.at_statement() => {
@@ -251,6 +262,10 @@ impl<'s> Parser<'s, '_> {
         } else {
             Ok(None)
         };
+        let is_structure = matches!(of.kind, TypeSpecificationKind::Structure(_));
+        if is_structure && self.dialect.ends_without_semicolon && self.kind() == TokenKind::EndType {
+            return None;
+        }
         let read = read.and_then(|initializer| match self.semicolon(TokenKind::Colon) {
             Ok(()) => Ok(initializer),
             Err(broken) => Err(broken),

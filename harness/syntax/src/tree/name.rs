@@ -14,7 +14,17 @@ pub struct Name<'s> {
     pub span: Span,
 }
 
-impl Name<'_> {
+impl<'s> Name<'s> {
+    /// Returns the name of a type without the namespaces that qualify it: `CALENDAR` of `OSCAT_BASIC.CALENDAR`.
+    #[must_use]
+    pub fn unqualified(self) -> Name<'s> {
+        let text = self.text.rsplit('.').next().unwrap_or(self.text).trim_start();
+        // It is the end of a text that 32 bits measure.
+        let start = self.span.end - text.len() as u32;
+        let span = Span { start, ..self.span };
+        Name { text, span }
+    }
+
     /// Returns whether the identifier is this one, in any ASCII case.
     #[must_use]
     pub fn is(&self, name: &str) -> bool {

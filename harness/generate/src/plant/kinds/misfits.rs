@@ -138,8 +138,10 @@ pub(super) fn selector(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let in_place = |context| context == ExpressionContext::Selector;
     // A type that converts to an integer elsewhere is the error that is easiest to overlook.
     let tempting = fault.input.ratio(1, 2).unwrap_or(true);
-    let wrong =
-        |ty: ElementaryType, _| !ty.is_integer() && (!tempting || ty.is_bit_string() || ty.is_duration());
+    let wrong = |ty: ElementaryType, dialect: DialectName| {
+        let selects = ty.is_integer() || ty.is_bit_string() && dialect.rules().bit_strings_as_integers;
+        !selects && (!tempting || ty.is_bit_string() || ty.is_duration())
+    };
     no_integer(fault, in_place, wrong)
 }
 
