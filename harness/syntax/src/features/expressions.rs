@@ -23,6 +23,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => {
                 let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
                 self.note_if(is_value, "enumerated-value", span);
+                let is_null = name.text.eq_ignore_ascii_case("NULL") && self.declared(name.text).is_none();
+                self.note_if(is_null, "null", span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
             ExpressionKind::Field { base, .. } => {
@@ -39,6 +41,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 );
             }
             ExpressionKind::Index { .. } => self.note("array-element", span),
+            ExpressionKind::Dereference { .. } => self.note("dereference", span),
             ExpressionKind::Bit { .. } if !span.text(self.text).contains('%') => {
                 self.note("bit-access", span)
             }
@@ -55,7 +58,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 },
                 span,
             ),
-            ExpressionKind::Binary { operator, .. } => self.note(operator_key(*operator), span),
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => {
+                let adds = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
+                let is_pointer =
+                    |id: &ExpressionId| self.name_of(*id, at).is_some_and(|name| self.is_pointer(name));
+                let is_address = adds && (is_pointer(left) || is_pointer(right));
+                self.note(
+                    if is_address {
+                        "pointer-arithmetic"
+                    } else {
+                        operator_key(*operator)
+                    },
+                    span,
+                );
+            }
             ExpressionKind::Parenthesized(_) => {
                 let is_nested =
                     around.is_some_and(|around| matches!(around.kind, ExpressionKind::Call { .. }));
@@ -108,7 +128,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
-            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call),
+            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call, at),
             _ => self.note("function-block-call", span),
         }
         let inputs = self.inputs_of(block.or(name).unwrap_or_default());
@@ -127,12 +147,20 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     /// Notes the call of a function that the program does not declare.
-    fn standard_call(&mut self, name: &str, call: &Expression<'s>) {
+    fn standard_call(&mut self, name: &str, call: &Expression<'s>, at: &Context<'t, 's>) {
         let upper = name.to_ascii_uppercase();
         let elementary = ElementaryType::from_name;
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
         let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);
+        if let ("REF" | "ADR", ExpressionKind::Call { arguments, .. }) = (upper.as_str(), &call.kind)
+            && let [Argument::Positional(operand)] = arguments[..]
+        {
+            use ExpressionKind::{Field, Index};
+            let operand = at.unit.expression(operand).map(|operand| &operand.kind);
+            let is_part = matches!(operand, Some(Field { .. } | Index { .. }));
+            self.note_if(is_part, "reference-to-part", call.span);
+        }
         let key = match upper.split_once("_TO_") {
             Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",
             _ if has("BCD") => "conversion-bcd",
