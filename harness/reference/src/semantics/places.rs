@@ -74,6 +74,8 @@ impl<'m> Lowering<'m> {
             "is an enumerated value, no variable".to_owned()
         } else if self.model.definitions.contains_key(&CaseFolded(name.text)) {
             "is no variable".to_owned()
+        } else if name.text.eq_ignore_ascii_case("NULL") {
+            "is the reference to nothing, which the dialect does not have".to_owned()
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
         };

@@ -21,7 +21,7 @@ use stickler_syntax::tree::{
 use stickler_types::{Code, ElementaryType};
 
 /// Why a function of this file cannot be called.
-pub(super) const NOT_IN_DIALECT: &str = "is an extension of the standard that the dialect does not have";
+pub(super) const NOT_IN_DIALECT: &str = "is an operator that the dialect does not have";
 
 /// An operator on variables and types that is written as a function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
