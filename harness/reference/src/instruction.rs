@@ -9,6 +9,7 @@
 //! integers and bit strings zero-extended, BOOL 0 or 1, REAL and LREAL their IEC 60559 bits, durations, dates
 //! and times of day as signed nanoseconds, characters their code unit.
 
+use crate::addresses::{AddressMap, LayoutId};
 use crate::conversion::{Concatenation, Conversion};
 use stickler_types::ElementaryType;
 use stickler_types::dialect::TextPositions;
@@ -42,6 +43,8 @@ pub struct MachineProgram {
     pub texts: Vec<TextCell>,
     /// Text constants, in code units.
     pub text_constants: Vec<Box<[u16]>>,
+    /// The variables that have addresses in bytes; none where no reference or pointer is made.
+    pub addresses: AddressMap,
 }
 
 /// A text variable.
@@ -123,6 +126,16 @@ pub enum Instruction {
     },
     /// Pops an address: sets that many cells to zero and their texts to empty.
     Clear(u32),
+
+    /// Pops the address of a cell, pushes the address in bytes of the variable there, which references and pointers hold.
+    AddressOf,
+    /// Pops an address in bytes, pushes that of the cell of the value there, which is of this layout. Where it is not, it faults, as the
+    /// others of these instructions do with `null-dereference` and `invalid-address`.
+    Locate(LayoutId),
+    /// Pops an address in bytes, pushes the plain value there, whatever its bytes are part of.
+    Peek(LayoutId),
+    /// Pops an address in bytes and a plain value; stores it there.
+    Poke(LayoutId),
 
     /// Pops a value, pushes a part of its bits as a BOOL or a bit string.
     Part(Part),

@@ -7,6 +7,7 @@
 //! Architecture Invariant: nothing here knows how values are computed; it asks `conversion` which types convert,
 //! and gives the machine instructions.
 
+mod address_layouts;
 mod arguments;
 mod calls;
 mod chains;
@@ -47,6 +48,8 @@ mod operators;
 mod order;
 mod parameters;
 mod places;
+mod pointer_types;
+mod pointers;
 mod promotion;
 mod recursion;
 mod reporter;

@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
     CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Name, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
+    InitializerKind, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
     TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
@@ -20,7 +20,7 @@ use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use stickler_types::dialect::{PartialAccess, ThirdEditionTypes};
-use stickler_types::{Dialect, ElementaryType};
+use stickler_types::{DeclaredFeatures, Dialect, ElementaryType};
 
 /// The key of a feature in `conformance-cases/features.toml`; of a standard function its name in small letters, behind which
 /// `-function` stands where an operator has that key.
@@ -68,6 +68,10 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
         ends_without_semicolon: true,
         library_namespaces: true,
         ampersand_and_power: true,
+        features: DeclaredFeatures {
+            has: Dialect::POINTER_FEATURES.map(str::to_owned).to_vec(),
+            ..DeclaredFeatures::NONE
+        },
         ..dialect.clone()
     }
 }
@@ -150,6 +154,12 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             _ => None,
         }
+    }
+
+    /// Returns whether the program declares a variable of the name as a reference or pointer.
+    fn is_pointer(&self, variable: &str) -> bool {
+        let declared = self.types.get(&CaseFolded(variable));
+        declared.is_some_and(|ty| matches!(ty.kind, TypeSpecificationKind::Pointer { .. }))
     }
 
     /// Returns the number of inputs of a function or function block.
@@ -265,6 +275,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             TypeSpecificationKind::Subrange { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Error => return self.initial_value_of_type(declaration),
         };
         self.note(key, declaration.name.span);
@@ -355,6 +366,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 );
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Pointer { form, target } => {
+                self.note(form.feature(), span);
+                let is_nested = matches!(&target.kind, TypeSpecificationKind::Pointer { form, .. } if *form != PointerForm::PointerTo);
+                self.note_if(is_nested, "reference-nested", span);
+            }
             TypeSpecificationKind::Error => {}
         }
     }
@@ -382,6 +398,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         }
         match &statement.kind {
             StatementKind::Assignment { .. } | StatementKind::Call(_) => {}
+            StatementKind::Binding { .. } => self.note("reference-binding", span),
             StatementKind::If { branches, otherwise } => {
                 self.note("if", span);
                 self.note_if(branches.len() > 1, "elsif", span);

@@ -206,6 +206,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
             | TypeSpecificationKind::Error => {}
         }
@@ -252,6 +253,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             ExpressionKind::Index { .. }
+            | ExpressionKind::Dereference { .. }
             | ExpressionKind::Bit { .. }
             | ExpressionKind::Part { .. }
             | ExpressionKind::Unary { .. }

@@ -15,7 +15,7 @@ mod unit;
 
 pub use configuration::{Configuration, ProgramInstance, Resource, Task};
 pub use declarations::{
-    ArrayElement, Declaration, Initializer, InitializerKind, Pou, PouKind, TypeDeclaration,
+    ArrayElement, Declaration, Initializer, InitializerKind, PointerForm, Pou, PouKind, TypeDeclaration,
     TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};

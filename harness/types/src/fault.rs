@@ -16,6 +16,11 @@ pub enum Fault {
     SubscriptRange,
     /// A value outside the limits of the subrange that was to hold it.
     Subrange,
+    /// A reference or pointer to nothing was followed.
+    NullDereference,
+    /// A pointer was followed to where no variable lies, or not the whole of what it is to lead to: past the end of a variable, or to one
+    /// of a function that has returned.
+    InvalidAddress,
     /// The program did not end within the permitted number of steps.
     StepLimit,
     /// Another reason, in the compiler's own words; no case expects it.
@@ -37,6 +42,8 @@ impl Fault {
         Fault::DivisionByZero,
         Fault::SubscriptRange,
         Fault::Subrange,
+        Fault::NullDereference,
+        Fault::InvalidAddress,
         Fault::StepLimit,
     ];
 
@@ -47,6 +54,8 @@ impl Fault {
             Fault::DivisionByZero => "division-by-zero",
             Fault::SubscriptRange => "subscript-range",
             Fault::Subrange => "subrange",
+            Fault::NullDereference => "null-dereference",
+            Fault::InvalidAddress => "invalid-address",
             Fault::StepLimit => "step-limit",
             Fault::Own(words) => words,
         }
@@ -83,7 +92,7 @@ impl fmt::Display for Fault {
 /// The error of a word that names none of [`Fault::ALL`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange` and `step-limit`"
+    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address` and `step-limit`"
 )]
 pub struct UnknownFault(pub String);
 

@@ -100,6 +100,7 @@ impl Reader<'_> {
             } => self.binary(*operator, *left, *right),
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
+            | tree::ExpressionKind::Dereference { .. }
             | tree::ExpressionKind::Error => None,
         }
     }

@@ -141,8 +141,8 @@ impl<'p> Machine<'p> {
                     self.operands.push(self.memory.load(address)?);
                 }
                 Instruction::Offset(offset) => {
-                    let address = self.pop_address()?;
-                    self.operands.push(address.wrapping_add(offset).into());
+                    let address = self.pop()?;
+                    self.operands.push(address.wrapping_add(offset.into()));
                 }
                 Instruction::Subscript {
                     low,
@@ -151,11 +151,10 @@ impl<'p> Machine<'p> {
                     unsigned,
                 } => {
                     let subscript = self.pop()?;
-                    let address = self.pop_address()?;
+                    let address = self.pop()?;
                     let element = element(subscript, (low, high), unsigned)?;
-                    // An array fits the memory, so its addresses fit 32 bits.
-                    let offset = (element as u32).wrapping_mul(stride);
-                    self.operands.push(address.wrapping_add(offset).into());
+                    let offset = element.wrapping_mul(stride.into());
+                    self.operands.push(address.wrapping_add(offset));
                 }
 
                 Instruction::Load(address) => self.operands.push(self.memory.load(address)?),
@@ -177,6 +176,11 @@ impl<'p> Machine<'p> {
                     self.spend(count.into())?;
                     self.memory.clear(address, count)?;
                 }
+
+                Instruction::AddressOf => self.address_of()?,
+                Instruction::Locate(layout) => self.locate(layout)?,
+                Instruction::Peek(layout) => self.peek(layout)?,
+                Instruction::Poke(layout) => self.poke(layout)?,
 
                 Instruction::Part(part) => {
                     let value = self.pop()?;
@@ -329,6 +333,13 @@ impl<'p> Machine<'p> {
             next: self.next,
         });
         Ok(())
+    }
+
+    /// Returns whether the instruction that is executed, or one that a call returns to, is in a stretch of code.
+    pub(super) fn is_running(&self, (start, end): (Label, Label)) -> bool {
+        let returns = self.frames.iter().map(|frame| frame.next);
+        let mut positions = returns.chain([self.next]);
+        positions.any(|next| start < next && next <= end)
     }
 
     #[inline]

@@ -3,6 +3,7 @@
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::TopLevelName;
+use super::pointers::{AddressFunction, NOT_IN_DIALECT};
 use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
@@ -25,6 +26,8 @@ pub(super) enum Callee {
     Conversion(ConversionFunction),
     /// A type conversion function of two arguments.
     Concatenation(Concatenation),
+    /// An operator on variables and types that is written as a function.
+    Address(AddressFunction),
     /// A name that cannot be called: the code and the reason.
     Nothing(Code, &'static str),
     /// An expression whose mistake is reported elsewhere.
@@ -95,6 +98,12 @@ impl<'m> Lowering<'m> {
         }
         let dialect = self.model.source.dialect;
         let name = dialect.standard_name(name.text);
+        if let Some(function) = AddressFunction::of(name) {
+            return match dialect.has_pointers(function.feature()) {
+                true => Callee::Address(function),
+                false => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+            };
+        }
         if let Some(standard) = standard_function(name) {
             return Callee::Standard(standard);
         }
@@ -125,6 +134,7 @@ impl<'m> Lowering<'m> {
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
             Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
             Callee::Concatenation(concatenation) => Inferred::from(concatenation.result),
+            Callee::Address(function) => self.infer_address(function, arguments),
             Callee::Nothing(..) | Callee::Silent => Inferred::Error,
         }
     }
@@ -175,6 +185,7 @@ impl<'m> Lowering<'m> {
             Callee::Standard(standard) => self.call_standard(id, standard, arguments, wanted),
             Callee::Conversion(conversion) => self.call_conversion(span, &conversion, arguments, wanted),
             Callee::Concatenation(concatenation) => self.call_concatenation(span, concatenation, arguments),
+            Callee::Address(function) => self.call_address(id, function, arguments, wanted),
             Callee::Nothing(code, reason) => self.refuse_callee(code, callee, reason, arguments),
             Callee::Silent => {
                 self.value(callee, None);
@@ -231,7 +242,7 @@ impl<'m> Lowering<'m> {
     ) -> LoweredValue {
         let name = self.model.source.text_of(callee);
         let hint = match code {
-            Code::FunctionCallUndeclared => self.similar_function(name),
+            Code::FunctionCallUndeclared if reason != NOT_IN_DIALECT => self.similar_function(name),
             _ => String::new(),
         };
         self.report(code, self.span(callee), format!("`{name}` {reason}{hint}"));

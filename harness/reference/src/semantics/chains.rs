@@ -43,7 +43,7 @@ impl Lowering<'_> {
                 OperatorSignature::Defined(operation) => Some(operation),
                 OperatorSignature::Undefined => {
                     let message = self.undefined(operator.symbol(), operands);
-                    self.report(Code::OperatorOperandTypeMismatch, self.span(at), message);
+                    self.report(self.undefined_code(operator, operands), self.span(at), message);
                     None
                 }
                 OperatorSignature::Untyped(_) | OperatorSignature::Silent => None,

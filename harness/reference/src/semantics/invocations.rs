@@ -83,6 +83,7 @@ impl<'m> Lowering<'m> {
         let Some(place) = self.place(instance) else {
             return self.lower_arguments(arguments);
         };
+        let place = self.located(place);
         let location = self.pinned(place.location, span);
         let Some(bound) = self.bind(pou, arguments, span) else {
             return;
@@ -174,6 +175,7 @@ impl<'m> Lowering<'m> {
                 "VAR_IN_OUT needs a variable that can be written",
             );
         }
+        let place = self.located(place);
         self.push_address(place.location);
     }
 
@@ -201,6 +203,7 @@ impl<'m> Lowering<'m> {
             if place.constant {
                 self.refuse_constant(target);
             } else if sound && self.is_aggregate(output.ty) {
+                let place = self.located(place);
                 self.push_address(place.location);
                 self.push_address(output.location);
                 self.finish_store(place, span);

@@ -48,7 +48,7 @@ impl PathListing<'_> {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
                 self.members(structure, &path)
             }
-            TypeKind::Alias | TypeKind::Error => {}
+            TypeKind::Pointer(_) | TypeKind::Alias | TypeKind::Error => {}
         }
     }
 

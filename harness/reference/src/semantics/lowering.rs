@@ -4,6 +4,7 @@
 //! wrong is said once, and nothing is said about what follows from something wrong. Once anything has been
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
+use super::address_layouts::AddressLayouts;
 use super::common::TypeRules;
 use super::emitter::{Emitter, Jump, Loop};
 use super::inferred::Inferred;
@@ -23,6 +24,8 @@ pub(super) struct Lowering<'m> {
     pub(super) reporter: &'m mut Reporter,
     pub(super) emitter: Emitter,
     pub(super) memory: MemoryLayout,
+    /// How values lie behind references and pointers.
+    pub(super) addresses: AddressLayouts,
     /// The inferred type of each expression.
     pub(super) inferred: Vec<Inferred>,
     /// The POU whose code is being made; `None` for what belongs to the top level.
@@ -84,6 +87,7 @@ impl<'m> Lowering<'m> {
             reporter,
             emitter: Emitter::default(),
             memory,
+            addresses: AddressLayouts::default(),
             inferred: Vec::new(),
             pou: None,
             visible: u32::MAX,

@@ -84,6 +84,7 @@ impl TypeRules<'_> {
         if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
             return OperatorSignature::Silent;
         }
+        let (left, right) = (self.address(left), self.address(right));
         let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
             OperatorGroup::Power if self.dialect.integers_as_lreal => self.power(left, right),
@@ -146,10 +147,20 @@ impl TypeRules<'_> {
         let action = match (common.elementary(), self.types.kind(common)) {
             (Some(ty), _) if ty.is_text() => Action::CompareText(operator),
             (Some(ty), _) => Action::Compare(operator, ty),
-            (None, TypeKind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
+            (None, TypeKind::Enumeration(_) | TypeKind::Pointer(_)) if equality => {
+                Action::Compare(operator, ElementaryType::Lint)
+            }
             _ => return None,
         };
         Some(TypedOperation::new((common, common), action, TypeId::BOOL))
+    }
+
+    /// Returns an address as the number that it may count as, and any other value as it is.
+    fn address(self, value: Inferred) -> Inferred {
+        match value {
+            Inferred::Known(ty) if self.types.pointer(ty).is_some() => self.number(value),
+            _ => value,
+        }
     }
 
     /// Returns a value of an enumeration as the number that it may count as, and any other as it is.

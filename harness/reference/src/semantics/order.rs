@@ -41,6 +41,7 @@ impl<'u> Declarer<'u, '_> {
             };
             self.nodes[node].id = Some(id);
         }
+        self.resolve_pointers();
     }
 
     fn report_cycle(&mut self, span: Span, members: &[usize]) {
@@ -145,7 +146,9 @@ impl Needs<'_, '_> {
                     .iter()
                     .for_each(|group| self.specification(&group.specification));
             }
-            TypeSpecificationKind::Text { .. }
+            // What leads to a value does not contain it.
+            TypeSpecificationKind::Pointer { .. }
+            | TypeSpecificationKind::Text { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Error => {}
         }

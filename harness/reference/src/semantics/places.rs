@@ -20,7 +20,12 @@ impl<'m> Lowering<'m> {
     pub(super) fn read(&mut self, id: ExpressionId) -> LoweredValue {
         match self.place(id) {
             Some(place) => {
+                let before = self.emitter.line();
+                if place.location == Location::Bytes {
+                    self.set_line(self.span(id));
+                }
                 let value = self.load(place);
+                self.emitter.set_line(before);
                 if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
                     self.emitter.record(id, UseKind::BitRead { of });
                 }
@@ -33,11 +38,18 @@ impl<'m> Lowering<'m> {
     /// The place that an expression names; `None`, and a diagnostic, where it names none. Where the address is
     /// only known as the program runs, it is on the stack.
     pub(super) fn place(&mut self, id: ExpressionId) -> Option<VariablePlace> {
+        let place = self.place_itself(id)?;
+        self.followed(place)
+    }
+
+    /// The place that an expression names, of a variable that is declared with REFERENCE TO its own.
+    pub(super) fn place_itself(&mut self, id: ExpressionId) -> Option<VariablePlace> {
         let expression = self.expression(id);
         match &expression.kind {
             ExpressionKind::Name(name) => self.named_place(*name),
             ExpressionKind::Field { base, field } => self.field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
+            ExpressionKind::Dereference { base } => self.dereference(*base),
             ExpressionKind::Bit { base, index } => {
                 self.part(*base, ElementaryType::Bool, *index, expression.span)
             }
@@ -62,6 +74,8 @@ impl<'m> Lowering<'m> {
             "is an enumerated value, no variable".to_owned()
         } else if self.model.definitions.contains_key(&CaseFolded(name.text)) {
             "is no variable".to_owned()
+        } else if name.text.eq_ignore_ascii_case("NULL") {
+            "is the reference to nothing, which the dialect does not have".to_owned()
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
         };
@@ -82,7 +96,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::VariableUndefined, field.span, message);
             return None;
         };
-        let location = self.shifted(place.location, member.offset);
+        let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             location,
@@ -99,6 +113,12 @@ impl<'m> Lowering<'m> {
         span: Span,
     ) -> Option<VariablePlace> {
         let place = self.place(base);
+        if let Some(place) = place
+            && let Some(pointer) = self.model.types.pointer(place.content())
+            && self.has_elements(pointer, subscripts.len())
+        {
+            return self.pointer_element(place, pointer, subscripts[0]);
+        }
         let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
             TypeKind::Array(shape) => Some(&**shape),
             _ => None,
@@ -132,7 +152,12 @@ impl<'m> Lowering<'m> {
         subscripts: &[ExpressionId],
     ) -> Option<VariablePlace> {
         let mut location = place.location;
+        let sizes = (place.location == Location::Bytes).then(|| self.sizes(shape.element));
         for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
+            let mut dimension = dimension;
+            if let Some((bytes, cells)) = sizes {
+                dimension.stride = dimension.stride / cells * bytes;
+            }
             location = self.subscript(location, subscript, dimension);
         }
         for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
@@ -152,18 +177,20 @@ impl<'m> Lowering<'m> {
     fn subscript(&mut self, location: Location, id: ExpressionId, dimension: Dimension) -> Location {
         let Dimension { low, high, stride } = dimension;
         let before = self.emitter.position();
-        if location != Location::Stack {
-            self.push_address(location);
-        }
+        self.push_address(location);
+        let reached = match location {
+            Location::Bytes => Location::Bytes,
+            _ => Location::Stack,
+        };
         let Some(value) = self.integer(id, ElementaryType::Lint, ValueContext::Integer) else {
-            return Location::Stack;
+            return reached;
         };
         let span = self.span(id);
         if let Some(number) = value.constant {
             if number < low.into() || number > high.into() {
                 let message = format!("subscript {number} is outside {low}..{high}");
                 self.report(Code::ArrayIndexOutOfBounds, span, message);
-                return Location::Stack;
+                return reached;
             }
             // A constant's code is a push or two, and it stands last.
             self.emitter.truncate(before);
@@ -181,7 +208,7 @@ impl<'m> Lowering<'m> {
                 unsigned,
             },
         );
-        Location::Stack
+        reached
     }
 
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
@@ -275,6 +302,7 @@ impl<'m> Lowering<'m> {
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = if limited {
+            let place = self.located(place);
             self.pinned(place.location, span)
         } else {
             place.location
@@ -297,6 +325,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(_)
                 | ExpressionKind::Field { .. }
                 | ExpressionKind::Index { .. }
+                | ExpressionKind::Dereference { .. }
                 | ExpressionKind::Bit { .. }
                 | ExpressionKind::Part { .. }
         )

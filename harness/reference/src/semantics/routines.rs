@@ -40,11 +40,13 @@ impl<'m> Lowering<'m> {
         self.report_recursion();
         let (memory, texts) = (self.memory.cells(), std::mem::take(&mut self.memory.texts));
         let uses = self.emitter.uses();
+        let addresses = self.address_map();
         let program = MachineProgram {
             startup,
             scan,
             memory,
             texts,
+            addresses,
             ..self.emitter.finish()
         };
         (program, uses)

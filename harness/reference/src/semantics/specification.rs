@@ -32,9 +32,14 @@ impl<'u> Declarer<'u, '_> {
                 self.subrange(*base, *limits, specification.span)
             }
             TypeSpecificationKind::Array { dimensions, element } => {
+                let element_span = element.span;
                 let element = self.specification(element, hint);
+                if self.model.types.named_type(element) != element {
+                    self.check_nested(element, element_span);
+                }
                 self.array(dimensions, element, specification.span)
             }
+            TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
             TypeSpecificationKind::Structure(groups) => self.structure(groups, hint, specification.span),
             TypeSpecificationKind::Error => TypeId::ERROR,

@@ -22,6 +22,7 @@ impl<'m> Lowering<'m> {
     fn statement(&mut self, statement: &'m Statement) {
         match &statement.kind {
             StatementKind::Assignment { target, value } => self.assignment(*target, *value),
+            StatementKind::Binding { target, value } => self.binding(*target, *value),
             StatementKind::Call(id) => self.call_statement(*id),
             StatementKind::If { branches, otherwise } => self.if_statement(branches, otherwise.as_deref()),
             StatementKind::Case {

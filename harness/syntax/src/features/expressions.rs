@@ -23,6 +23,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => {
                 let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
                 self.note_if(is_value, "enumerated-value", span);
+                let is_null = name.text.eq_ignore_ascii_case("NULL") && self.declared(name.text).is_none();
+                self.note_if(is_null, "null", span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
             ExpressionKind::Field { base, .. }
@@ -44,6 +46,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 );
             }
             ExpressionKind::Index { .. } => self.note("array-element", span),
+            ExpressionKind::Dereference { .. } => self.note("dereference", span),
             ExpressionKind::Bit { .. } if !span.text(self.text).contains('%') => {
                 self.note("bit-access", span)
             }
@@ -60,7 +63,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 },
                 span,
             ),
-            ExpressionKind::Binary { operator, .. } => self.note(operator_key(*operator), span),
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => {
+                let adds = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
+                let is_pointer =
+                    |id: &ExpressionId| self.name_of(*id, at).is_some_and(|name| self.is_pointer(name));
+                let is_address = adds && (is_pointer(left) || is_pointer(right));
+                self.note(
+                    if is_address {
+                        "pointer-arithmetic"
+                    } else {
+                        operator_key(*operator)
+                    },
+                    span,
+                );
+            }
             ExpressionKind::Parenthesized(_) => {
                 let is_nested =
                     around.is_some_and(|around| matches!(around.kind, ExpressionKind::Call { .. }));
@@ -133,7 +153,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
-            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call),
+            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call, at),
             _ => self.note("function-block-call", span),
         }
         let inputs = self.inputs_of(block.or(name).unwrap_or_default());
@@ -152,7 +172,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     /// Notes the call of a function that the program does not declare.
-    fn standard_call(&mut self, name: &str, call: &Expression<'s>) {
+    fn standard_call(&mut self, name: &str, call: &Expression<'s>, at: &Context<'t, 's>) {
         let dialect = self.dialect;
         let upper = dialect.standard_name(name).to_ascii_uppercase();
         let elementary = |name: &str| dialect.elementary(name);
@@ -161,6 +181,14 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);
         if let Some(family) = family(&upper) {
             return self.note(family, call.span);
+        }
+        if let ("REF" | "ADR", ExpressionKind::Call { arguments, .. }) = (upper.as_str(), &call.kind)
+            && let [Argument::Positional(operand)] = arguments[..]
+        {
+            use ExpressionKind::{Field, Index};
+            let operand = at.unit.expression(operand).map(|operand| &operand.kind);
+            let is_part = matches!(operand, Some(Field { .. } | Index { .. }));
+            self.note_if(is_part, "reference-to-part", call.span);
         }
         let key = match upper.split_once("_TO_") {
             Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",

@@ -118,6 +118,9 @@ impl<'s> Parser<'s, '_> {
             self.unsupported_chain()?;
             return Ok(StatementKind::Assignment { target, value });
         }
+        if self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF") {
+            return self.binding(target);
+        }
         self.unsupported_assignment(start)?;
         if self.is_call(target) {
             return Ok(StatementKind::Call(target));
@@ -126,6 +129,18 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Equal => self.expected("`:=`"),
             _ => self.missing("`:=` or a call"),
         })
+    }
+
+    /// `target REF= value`.
+    fn binding(&mut self, target: ExpressionId) -> ParseResult<StatementKind> {
+        let start = self.bump().span;
+        let span = start.to(self.bump().span);
+        let has = self.has_pointers("reference-binding", "REF=", span);
+        let value = self.expression()?;
+        match has {
+            true => Ok(StatementKind::Binding { target, value }),
+            false => Err(Broken),
+        }
     }
 
     fn is_call(&self, id: ExpressionId) -> bool {

@@ -3,8 +3,8 @@
 use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
-use crate::tree::{ExpressionId, Name, TypeSpecification, TypeSpecificationKind as Kind};
-use stickler_types::Code;
+use crate::tree::{ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind};
+use stickler_types::{Code, Dialect};
 
 impl<'s> Parser<'s, '_> {
     /// A type.
@@ -26,8 +26,8 @@ impl<'s> Parser<'s, '_> {
 
     /// A type that begins with a name.
     fn named_type(&mut self) -> ParseResult<Kind<'s>> {
-        if self.unsupported_reference()? {
-            return Ok(Kind::Error);
+        if let Some(form) = self.pointer_form() {
+            return self.pointer_type(form);
         }
         let name = self.name("a type")?;
         match self.kind() {
@@ -136,6 +136,50 @@ impl<'s> Parser<'s, '_> {
         Ok(Kind::Array { dimensions, element })
     }
 
+    /// Returns the form of the reference or pointer type that begins here; `None` where the word is a name like others.
+    fn pointer_form(&mut self) -> Option<PointerForm> {
+        let (to, forms): (usize, &[PointerForm]) = match self.nth(1) {
+            TokenKind::To => (1, &[PointerForm::PointerTo, PointerForm::ReferenceTo]),
+            _ => (0, &[PointerForm::RefTo]),
+        };
+        let begins_type = matches!(
+            self.nth(1 + to),
+            TokenKind::Name | TokenKind::Array | TokenKind::LeftParen | TokenKind::Struct
+        );
+        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let mut forms = forms.iter().copied();
+        forms.find(|form| begins_type && self.at_word(word(form)))
+    }
+
+    /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`.
+    fn pointer_type(&mut self, form: PointerForm) -> ParseResult<Kind<'s>> {
+        let start = self.bump().span;
+        self.eat(TokenKind::To);
+        let span = start.to(self.previous_span());
+        let has = self.has_pointers(form.feature(), form.words(), span);
+        let target = Box::new(self.type_specification()?);
+        Ok(if has {
+            Kind::Pointer { form, target }
+        } else {
+            Kind::Error
+        })
+    }
+
+    /// Returns whether the dialect has a feature of references and pointers; reports the words at `span` where it has not.
+    pub(super) fn has_pointers(&mut self, feature: &str, words: &str, span: Span) -> bool {
+        let has = self.dialect.has_pointers(feature);
+        if !has && Dialect::is_third_edition_pointer(feature) {
+            self.report(Code::Std2013Feature, span, || {
+                format!("`{words}` is of the third edition of the standard; the dialect does not have it")
+            });
+        } else if !has {
+            self.report(Code::SyntaxError, span, || {
+                format!("`{words}` is an extension of the standard that the dialect does not have")
+            });
+        }
+        has
+    }
+
     /// `STRUCT … END_STRUCT`.
     fn structure_type(&mut self) -> ParseResult<Kind<'s>> {
         self.bump();
@@ -170,11 +214,6 @@ impl<'s> Parser<'s, '_> {
         };
         self.unsupported(span, features);
         Kind::Error
-    }
-
-    /// Moves over a type whose use is not implemented.
-    pub(super) fn ignored_type(&mut self) -> ParseResult<()> {
-        self.type_specification().map(|_| ())
     }
 }
 

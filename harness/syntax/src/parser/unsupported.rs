@@ -179,29 +179,6 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`; says whether there was one.
-    pub(super) fn unsupported_reference(&mut self) -> ParseResult<bool> {
-        let start = self.token().span;
-        let (to, words): (usize, &[&str]) = match self.nth(1) {
-            TokenKind::To => (1, &["POINTER", "REFERENCE"]),
-            _ => (0, &["REF_TO"]),
-        };
-        let begins_type = matches!(
-            self.nth(1 + to),
-            TokenKind::Name | TokenKind::Array | TokenKind::LeftParen
-        );
-        if !begins_type || !self.at_any_word(words) {
-            return Ok(false);
-        }
-        for _ in 0..=to {
-            self.bump();
-        }
-        let features = "references and pointers (REF_TO, POINTER TO, REFERENCE TO)";
-        self.unsupported(start.to(self.previous_span()), features);
-        self.ignored_type()?;
-        Ok(true)
-    }
-
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
     /// of a chart, a method, a jump or a label.
     pub(super) fn unsupported_statement(&mut self) -> ParseResult<()> {
@@ -257,15 +234,12 @@ impl<'s> Parser<'s, '_> {
         Err(Broken)
     }
 
-    /// `?=`, `S=`, `R=` or `REF=` behind the variable that begins at `start`.
+    /// `?=`, `S=` or `R=` behind the variable that begins at `start`.
     pub(super) fn unsupported_assignment(&mut self, start: Span) -> ParseResult<()> {
         let features = match self.kind() {
             TokenKind::AssignAttempt => "assignment attempts (`?=`)",
             TokenKind::Name if self.nth(1) == TokenKind::Equal && self.at_any_word(&["S", "R"]) => {
                 "set and reset assignments (`S=`, `R=`)"
-            }
-            TokenKind::Name if self.nth(1) == TokenKind::Equal && self.at_word("REF") => {
-                "references and pointers (`REF=`)"
             }
             _ => return Ok(()),
         };

@@ -257,7 +257,13 @@ impl<'s> Parser<'s, '_> {
     /// `:= initializer`, if it is there, and the `;` behind a declaration. Of a type that is not known nothing
     /// can be initialized.
     pub(super) fn optional_initializer(&mut self, of: &TypeSpecification) -> Option<Initializer<'s>> {
-        let read = if self.eat(TokenKind::Assign) {
+        // What an initial value gives to a reference is a variable, so that both signs mean the same.
+        let binds = self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF");
+        let read = if binds && matches!(of.kind, TypeSpecificationKind::Pointer { .. }) {
+            self.bump();
+            self.bump();
+            self.initializer().map(Some)
+        } else if self.eat(TokenKind::Assign) {
             self.initializer().map(Some)
         } else {
             Ok(None)

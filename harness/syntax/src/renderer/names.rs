@@ -109,6 +109,7 @@ impl<'u, 's> Names<'u, 's> {
                 self.declare_members(specification.span.start, fields)
             }
             TypeSpecificationKind::Array { element, .. } => self.declare_parts(element),
+            TypeSpecificationKind::Pointer { target, .. } => self.declare_parts(target),
             _ => {}
         }
     }
@@ -176,15 +177,19 @@ impl<'u, 's> Names<'u, 's> {
             .map_or(name, |(spelling, _)| *spelling)
     }
 
-    /// Returns the types that names of types stand for in the end.
+    /// Returns the types that names of types stand for in the end; of references and pointers what these lead to.
     fn resolve(&self, mut shape: NameShape<'u, 's>) -> NameShape<'u, 's> {
         for _ in 0..MAX_ALIASES {
-            let NameShape::Typed(TypeSpecification {
-                kind: TypeSpecificationKind::Named(name),
-                ..
-            }) = shape
-            else {
+            let NameShape::Typed(specification) = shape else {
                 return shape;
+            };
+            let name = match &specification.kind {
+                TypeSpecificationKind::Named(name) => name,
+                TypeSpecificationKind::Pointer { target, .. } => {
+                    shape = NameShape::Typed(target);
+                    continue;
+                }
+                _ => return shape,
             };
             let key = CaseFolded(name.text);
             let Some((_, named)) = self.types.get(&key).or_else(|| self.pous.get(&key)) else {
