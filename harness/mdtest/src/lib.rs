@@ -48,4 +48,5 @@ pub use differences::{Reported, differences};
 pub use examples::{Example, check_examples, fits};
 pub use expansion::expanded;
 pub use folder::check;
+pub use markdown::{Fence, Section, sections};
 pub use marks::{Marks, Value};

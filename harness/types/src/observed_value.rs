@@ -3,6 +3,8 @@
 use crate::elementary::ElementaryType;
 use crate::literal::{LiteralError, wide_duration};
 use crate::value::Value;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::borrow::Cow;
 
 /// The maximum number of bytes of a value that an engine gives, so that reports stay small whatever it prints. A `STRING` of 5000
 /// characters that are all written as escapes fits.
@@ -31,6 +33,22 @@ impl Value {
             ));
         }
         Value::parse(literal).or_else(|error| out_of_range(literal).ok_or(error))
+    }
+}
+
+/// A value is written as its typed literal.
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+        let literal = Cow::<'de, str>::deserialize(deserializer)?;
+        let observed = Value::parse_observed(&literal);
+        let value = observed.or_else(|error| Value::parse_expected(&literal).map_err(|_| error));
+        value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
     }
 }
 

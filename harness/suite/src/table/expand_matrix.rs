@@ -241,8 +241,12 @@ impl MatrixExpander<'_, '_> {
             };
             if let Some(mark) = missing {
                 let (row_name, column_name, says) = (&row.name, &column.name, word.as_str());
-                let message = format!("{row_name} to {column_name} says {says}, but no `{mark}` mark applies");
-                let hint = format!("in the probe `{}`, add `(*! {mark} CODE if {says} *)`", probe.name);
+                let message =
+                    format!("{row_name} to {column_name} says {says}, but no `{mark}` mark applies");
+                let hint = format!(
+                    "in the probe `{}`, add `(*! {mark} CODE if {says} *)`",
+                    probe.name
+                );
                 self.0.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }
