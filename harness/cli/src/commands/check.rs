@@ -2,8 +2,8 @@
 
 use crate::arguments::CheckArguments;
 use crate::exit::Exit;
-use crate::{output, snippet};
 use crate::source_file::Program;
+use crate::{output, snippet};
 use serde::Serialize;
 use std::io::Write;
 use stickler_engines::protocol::Reply;
