@@ -133,11 +133,7 @@ impl ProgramBuilder<'_, '_> {
             "right"
         };
         if self.random.chance(1, 3) && !self.lacks(key) {
-            let count = integer(
-                ElementaryType::Int,
-                self.random.between(0, 9),
-                LiteralForm::Untyped,
-            );
+            let count = integer(ElementaryType::Int, self.random.between(0, 9), LiteralForm::Typed);
             return Expression::elementary(ty, ExpressionKind::Standard(function, vec![text, count]));
         }
         let more = self.literal(ty, TypeContext::Exact);
