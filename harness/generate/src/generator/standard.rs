@@ -127,7 +127,7 @@ impl ProgramBuilder<'_, '_> {
             let count = integer(
                 ElementaryType::Int,
                 self.random.between(0, 9),
-                LiteralForm::Untyped,
+                LiteralForm::Typed,
             );
             return Expression::standard(function, vec![text, count], ty);
         }
