@@ -31,6 +31,11 @@ fn prepared(case: &Case) -> PreparedCase {
         scans: case.scans,
         observe: case.observe.iter().map(observe).collect(),
         set: case.set.iter().map(set).collect(),
+        clock: case
+            .clock
+            .iter()
+            .map(|time| (time.before, time.nanoseconds))
+            .collect(),
         expectation: expectation(&case.expectation),
     }
 }

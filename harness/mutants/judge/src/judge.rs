@@ -8,7 +8,9 @@ mod bodies;
 use crate::prepared::{PreparedAcceptance, PreparedCase, PreparedExpectation};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_reference::{Limits, render, run};
-use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value};
+use stickler_types::{
+    ClockSetting, Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value,
+};
 
 /// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
@@ -60,9 +62,12 @@ fn answer(case: &PreparedCase, source: &str) -> Result<Outcome, String> {
         })
     };
     let set = case.set.iter().map(setting).collect::<Result<Vec<_>, _>>()?;
+    let time = |&(before, nanoseconds): &(u32, i64)| ClockSetting { before, nanoseconds };
+    let clock: Vec<ClockSetting> = case.clock.iter().map(time).collect();
     let request = RunRequest {
         scans: case.scans,
         set: &set,
+        clock: &clock,
         ..RunRequest::once(dialect, source, &observe)
     };
     run(&request, Limits::default()).map_err(|error| error.to_string())

@@ -19,6 +19,8 @@ pub struct PreparedCase {
     pub observe: Vec<(String, u32)>,
     /// The variables that are set: before which scan, the name, the value as a typed literal.
     pub set: Vec<(u32, String, String)>,
+    /// The times of scans: the scan, and the nanoseconds since the start.
+    pub clock: Vec<(u32, i64)>,
     /// The result that must come.
     pub expectation: PreparedExpectation,
 }
