@@ -15,8 +15,8 @@ mod unit;
 
 pub use configuration::{Configuration, ProgramInstance, Resource, Task};
 pub use declarations::{
-    ArrayElement, Declaration, Initializer, InitializerKind, Pou, PouKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    Access, ArrayElement, Declaration, Initializer, InitializerKind, Modifiers, Pou, PouKind,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 pub use literals::{Literal, LiteralKind, Prefixed};

@@ -18,6 +18,10 @@ pub enum Fault {
     Subrange,
     /// The program did not end within the permitted number of steps.
     StepLimit,
+    /// A reference, pointer or variable of an interface was followed that leads nowhere.
+    NullDereference,
+    /// A function or method was called while it was running.
+    Recursion,
     /// Another reason, in the compiler's own words; no case expects it.
     Own(&'static str),
 }
@@ -38,6 +42,8 @@ impl Fault {
         Fault::SubscriptRange,
         Fault::Subrange,
         Fault::StepLimit,
+        Fault::NullDereference,
+        Fault::Recursion,
     ];
 
     /// Returns the word of the fault.
@@ -48,6 +54,8 @@ impl Fault {
             Fault::SubscriptRange => "subscript-range",
             Fault::Subrange => "subrange",
             Fault::StepLimit => "step-limit",
+            Fault::NullDereference => "null-dereference",
+            Fault::Recursion => "recursion",
             Fault::Own(words) => words,
         }
     }
@@ -83,7 +91,8 @@ impl fmt::Display for Fault {
 /// The error of a word that names none of [`Fault::ALL`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange` and `step-limit`"
+    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `step-limit`, \
+     `null-dereference` and `recursion`"
 )]
 pub struct UnknownFault(pub String);
 

@@ -96,6 +96,9 @@ impl<'t> Reader<'t> {
     }
 
     fn pou(&mut self, pou: &'t Pou<'t>) -> Option<()> {
+        if pou.is_object() {
+            return None;
+        }
         self.variables.clear();
         self.function = None;
         for block in &pou.blocks {

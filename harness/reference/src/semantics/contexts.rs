@@ -92,6 +92,9 @@ pub(super) fn fit(
         Inferred::Error | Inferred::Pending => return Fit::Silent,
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target => true,
+        Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
+            types.derives(ty, target)
+        }
         Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
             (Some(from), Some(to)) => match context {
                 ValueContext::Operand | ValueContext::CommonArgument => of_operand(from, to, dialect),

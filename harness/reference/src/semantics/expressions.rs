@@ -100,6 +100,10 @@ impl<'m> Lowering<'m> {
         if value.ty == to {
             return value;
         }
+        // The address of an instance is a value of the interface.
+        if value.ty != TypeId::ERROR && matches!(self.model.types.kind(to), TypeKind::Interface(_)) {
+            return LoweredValue::computed(to);
+        }
         let dialect = self.model.source.dialect;
         let from = elementary_value(value.ty, &self.model.types, dialect);
         let conversion = from.zip(to.elementary());

@@ -236,9 +236,10 @@ impl<'m> Lowering<'m> {
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let member = structure
-                .members
-                .find(name.text)
+            let member = self
+                .model
+                .types
+                .member(ty, name.text)
                 .filter(|member| !matches!(member.kind, VariableKind::InOut | VariableKind::External));
             let Some(member) = member else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
@@ -265,6 +266,9 @@ impl<'m> Lowering<'m> {
                 let TypeKind::Structure(structure) = model.types.kind(ty) else {
                     return;
                 };
+                if let Some(base) = structure.base {
+                    self.default_value(start, base);
+                }
                 for group in groups {
                     for (index, name) in group.names.iter().enumerate() {
                         let Some(member) = structure.members.find(name.text) else {

@@ -48,13 +48,17 @@ impl PathListing<'_> {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
                 self.members(structure, &path)
             }
-            TypeKind::Alias | TypeKind::Error => {}
+            TypeKind::Alias | TypeKind::Interface(_) | TypeKind::Error => {}
         }
     }
 
     fn members(&mut self, structure: &Structure, path: &str) {
+        let base = structure.base.map(|base| self.types.kind(base));
+        if let Some(TypeKind::Structure(base) | TypeKind::FunctionBlock(base)) = base {
+            self.members(base, path);
+        }
         for (name, member) in structure.members.iter() {
-            if member.kind != VariableKind::InOut {
+            if !matches!(member.kind, VariableKind::InOut | VariableKind::Instance) {
                 let dot = if path.is_empty() { "" } else { "." };
                 self.value(member.ty, format!("{path}{dot}{name}"));
             }

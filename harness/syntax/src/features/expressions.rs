@@ -2,6 +2,7 @@
 
 use super::FeatureFinder;
 use crate::names::DeclaredKind;
+use crate::source::Span;
 use crate::tree::{
     Argument, BinaryOperator, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind,
     UnaryOperator,
@@ -23,8 +24,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => {
                 let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
                 self.note_if(is_value, "enumerated-value", span);
+                self.own_instance(name.text, span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
+            ExpressionKind::Field { field, .. } if self.is_property(field.text) => {}
             ExpressionKind::Field { base, .. } => {
                 let is_output = self
                     .name_of(*base, at)
@@ -73,6 +76,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         }
     }
 
+    /// Returns whether a name is only that of a property.
+    fn is_property(&self, name: &str) -> bool {
+        let declared = self.declared(name);
+        matches!(
+            declared,
+            Some(DeclaredKind::Pou(PouKind::Getter | PouKind::Setter))
+        )
+    }
+
+    /// Notes a name that stands for the instance whose code is running; says whether it is one.
+    fn own_instance(&mut self, name: &str, span: Span) -> bool {
+        let word = name.trim_end_matches('^').to_ascii_lowercase();
+        let is_own = matches!(word.as_str(), "this" | "super") && self.declared(name).is_none();
+        self.note_if(is_own && name.ends_with('^'), "pointer-to-this", span);
+        self.note_if(is_own, if word == "this" { "this" } else { "super" }, span);
+        is_own
+    }
+
     /// Returns whether a minus stands before an untyped number, as a part of which it is understood.
     fn negates_literal(&self, expression: &Expression<'s>, at: &Context<'t, 's>) -> bool {
         let ExpressionKind::Unary { operand, .. } = expression.kind else {
@@ -104,10 +125,16 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             }
         }
-        let name = self.name_of(callee, at);
+        let name = match at.unit.expression(callee).map(|callee| &callee.kind) {
+            Some(ExpressionKind::Name(name)) if self.own_instance(name.text, span) => None,
+            Some(ExpressionKind::Name(name)) => Some(name.text),
+            Some(ExpressionKind::Field { field, .. }) => self.declared(field.text).map(|_| field.text),
+            _ => None,
+        };
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
+            Some(DeclaredKind::Pou(PouKind::Method)) => self.note("method-call", span),
             None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call),
             _ => self.note("function-block-call", span),
         }

@@ -122,6 +122,7 @@ impl Parser<'_, '_> {
         while self.kind() != TokenKind::End
             && !self.kind().opens_declaration()
             && !self.at_foreign_declaration()
+            && self.at_object().is_none()
         {
             self.bump();
         }
@@ -131,17 +132,6 @@ impl Parser<'_, '_> {
     pub(super) fn skip_body(&mut self) {
         while self.kind() != TokenKind::End && !self.kind().closes_pou() && !self.kind().opens_declaration() {
             self.bump();
-        }
-    }
-
-    /// Moves behind the next name `closer`, or to a keyword that it cannot stand behind.
-    pub(super) fn skip_past_word(&mut self, closer: &str) {
-        while self.kind() != TokenKind::End && !self.kind().closes_pou() {
-            let found = self.at_word(closer);
-            self.bump();
-            if found {
-                return;
-            }
         }
     }
 

@@ -153,7 +153,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// Moves over `.name.name` behind a namespace's name.
-    fn unsupported_qualified_type(&mut self, start: Span) {
+    pub(super) fn unsupported_qualified_type(&mut self, start: Span) {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();
