@@ -7,7 +7,7 @@
 //! Basis: iec-61131-3: third edition, 6.6.5 to 6.6.8.
 
 use super::declare::Declarer;
-use super::model::{Member, TopLevelName};
+use super::model::TopLevelName;
 use super::scope::NamedList;
 use super::types::{Extent, MAX_ANCESTORS, Structure, TypeId, TypeKind};
 use stickler_syntax::source::saturating_u32;
@@ -195,13 +195,5 @@ impl<'u> Declarer<'u, '_> {
             TypeKind::FunctionBlock(block) => self.model.pous[block.pou as usize].pou.modifiers.is_abstract,
             _ => false,
         }
-    }
-
-    /// Returns the member of a name that a POU declares itself.
-    pub(super) fn own_member(&self, pou: u32, name: &'u str) -> Option<Member> {
-        self.model.pous[pou as usize]
-            .members
-            .get(&CaseFolded(name))
-            .copied()
     }
 }

@@ -81,7 +81,8 @@ impl<'u> Declarer<'u, '_> {
             |part: u32| self.model.pous[part as usize].pou.modifiers.access == Some(Access::Private);
         let parts = inherited.map(Member::parts).unwrap_or_default();
         if parts.iter().flatten().all(|&part| is_private(part)) {
-            if pou.modifiers.is_override {
+            // Of a base that is not known nothing is said.
+            if pou.modifiers.is_override && (base.is_some() || outer.extends.is_empty()) {
                 let message = format!("`{}` overrides nothing", name.text);
                 self.report(Code::InheritanceInvalid, name.span, message);
             }
@@ -180,7 +181,7 @@ impl<'u> Declarer<'u, '_> {
                 .pou
                 .members
                 .iter()
-                .filter_map(|part| self.own_member(promising, part.name.text))
+                .filter_map(|part| above.members.get(&CaseFolded(part.name.text)).copied())
                 .collect();
             for promised in members {
                 groups.promises += 1;
@@ -203,7 +204,8 @@ impl<'u> Declarer<'u, '_> {
     fn keeps(&mut self, block: u32, promised: Member, groups: &mut Groups) -> bool {
         let mut keeps = true;
         for (part, number) in promised.parts().into_iter().zip(0..) {
-            let Some(part) = part.filter(|&part| !self.has_body(part)) else {
+            let Some(part) = part.filter(|&part| !self.model.pous[part as usize].has_body(&self.model))
+            else {
                 continue;
             };
             let name = self.model.pous[part as usize].pou.name.text;
@@ -211,7 +213,7 @@ impl<'u> Declarer<'u, '_> {
                 .model
                 .member(block, name)
                 .and_then(|member| member.parts()[number]);
-            match found.filter(|&found| self.has_body(found)) {
+            match found.filter(|&found| self.model.pous[found as usize].has_body(&self.model)) {
                 Some(found) if groups.leader(found) != groups.leader(part) => {
                     let place = self.model.pous[found as usize].pou.name.span;
                     self.link(found, part, place, groups);
@@ -221,11 +223,6 @@ impl<'u> Declarer<'u, '_> {
             }
         }
         keeps
-    }
-
-    /// Returns whether a member has statements, be they none.
-    fn has_body(&self, member: u32) -> bool {
-        self.model.pous[member as usize].has_body(&self.model)
     }
 
     fn report_missing(&mut self, block: u32, promising: u32, promised: Member) {
@@ -254,7 +251,11 @@ impl<'u> Declarer<'u, '_> {
         for index in 0..saturating_u32(count) {
             let entry = &self.model.pous[index as usize];
             let leader = groups.leader(index);
-            if entry.owner.is_none() || leader == index && self.has_body(index) && !entry.is_overridden {
+            if entry.owner.is_none()
+                || leader == index
+                    && self.model.pous[index as usize].has_body(&self.model)
+                    && !entry.is_overridden
+            {
                 continue;
             }
             let frame = match frames[leader as usize] {

@@ -163,7 +163,6 @@ impl<'s> Parser<'s, '_> {
                 });
             }
         }
-        self.eat(TokenKind::Semicolon);
         self.refused = refused;
     }
 
