@@ -115,7 +115,14 @@ impl<'p> Machine<'p> {
         let at = self.next.saturating_sub(1);
         match halt {
             Halt::Fault(kind) => {
-                let line = self.program.lines.get(at as usize).copied().unwrap_or(0);
+                // A routine that only leads to a method has no line of its own; the call has.
+                let calls = self.frames.iter().rev().map(|frame| frame.next.saturating_sub(1));
+                let mut places = std::iter::once(at).chain(calls);
+                let line = places.find_map(|at| {
+                    let line = self.program.lines.get(at as usize).copied();
+                    line.filter(|line| *line > 0)
+                });
+                let line = line.unwrap_or(0);
                 Stop::Fault(RaisedFault { kind, line })
             }
             Halt::Missing(what) => Stop::Inconsistent(Inconsistency { what, at }),

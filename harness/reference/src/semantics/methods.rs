@@ -329,7 +329,7 @@ impl<'m> Lowering<'m> {
             range.filter(|&index| model.variable(index).kind == VariableKind::Output)
         };
         self.emitter.begin(dispatch.routine);
-        self.set_line(entry.pou.name.span);
+        self.emitter.set_line(0);
         for (&from, &to) in shared.parameters.iter().zip(&entry.parameters) {
             self.copy_variable(from, to);
         }
