@@ -8,8 +8,8 @@ use std::{fs, io};
 use stickler_generate::oracles::FuzzTarget;
 
 fn corpora(criterion: &mut Criterion) {
-    for target in FuzzTarget::ALL {
-        let folder = Path::new("../../corpus").join(target.name());
+    for &target in FuzzTarget::ALL {
+        let folder = Path::new("../../corpus").join(target.as_str());
         let inputs = inputs(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         assert!(
             !inputs.is_empty(),
@@ -20,7 +20,7 @@ fn corpora(criterion: &mut Criterion) {
         group
             .throughput(Throughput::Elements(inputs.len() as u64))
             .sample_size(10);
-        group.bench_function(target.name(), |bencher| {
+        group.bench_function(target.as_str(), |bencher| {
             bencher.iter(|| {
                 for input in &inputs {
                     let _ = black_box(target.judge(black_box(input)));

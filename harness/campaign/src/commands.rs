@@ -29,39 +29,35 @@ impl ReproductionCommands {
     /// Returns two commands: the first judges the saved finding again, the second finds the original again.
     #[must_use]
     pub fn of(&self, finding: &Finding) -> Vec<String> {
-        let mut again = format!("{} fuzz --replay ", self.program);
-        again.push_str(&shell_quote(&self.folder.join(&finding.id).to_string_lossy()));
+        let option = |name: &str, value: &str| format!(" {name} {}", shell_quote(value));
+        let engines: String = self.engines.iter().map(|name| option("--engine", name)).collect();
+        let folder = self.folder.join(&finding.id);
+        let again = format!(
+            "{} fuzz --replay {}{engines}",
+            self.program,
+            shell_quote(&folder.to_string_lossy())
+        );
         let mut find = format!(
-            "{} fuzz --seed {} --first {} --count 1",
+            "{} fuzz --seed {} --first {} --count 1{engines}",
             self.program, finding.origin.seed, finding.origin.place
         );
-        for engine in &self.engines {
-            for line in [&mut again, &mut find] {
-                line.push_str(" --engine ");
-                line.push_str(&shell_quote(engine));
-            }
-        }
-        for dialect in &self.dialects {
-            find.push_str(" --dialect ");
-            find.push_str(dialect.as_str());
-        }
-        for target in &self.targets {
-            find.push_str(" --target ");
-            find.push_str(target);
-        }
+        let dialects = self
+            .dialects
+            .iter()
+            .map(|dialect| format!(" --dialect {dialect}"));
+        find.extend(dialects.chain(self.targets.iter().map(|target| format!(" --target {target}"))));
         if !self.without.is_empty() {
-            find.push_str(" --without ");
-            find.push_str(&shell_quote(&self.without.join(",")));
+            find += &option("--without", &self.without.join(","));
         }
         if !self.engines.is_empty() {
             // What it would find is named already.
-            find.push_str(" --no-survey");
+            find += " --no-survey";
             if self.max_input != Inputs::MAX_LEN {
-                find.push_str(&format!(" --max-input {}", self.max_input));
+                find += &format!(" --max-input {}", self.max_input);
             }
         }
         if finding.origin.open {
-            find.push_str(" --open");
+            find += " --open";
         }
         vec![again, find]
     }

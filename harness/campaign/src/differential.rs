@@ -12,7 +12,7 @@ mod pack;
 mod reduction;
 mod worker;
 
-pub(crate) use comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
+pub(crate) use comparison::{Agreement, JudgedProgram, compare};
 pub(crate) use describe::describe;
 pub use engine::EngineUnderTest;
 pub(crate) use engine::{ask, ask_all};

@@ -25,16 +25,11 @@ impl Exclusion {
     /// Reads `WORD` or `WORD@DIALECT`.
     fn new(text: &str) -> Exclusion {
         let parts = text.rsplit_once('@');
-        let limited = parts.and_then(|(word, dialect)| Some((word, dialect.parse().ok()?)));
-        match limited {
-            Some((word, dialect)) => Exclusion {
-                word: word.to_owned(),
-                dialect: Some(dialect),
-            },
-            None => Exclusion {
-                word: text.to_owned(),
-                dialect: None,
-            },
+        let limited = parts.and_then(|(word, dialect)| Some((word, Some(dialect.parse().ok()?))));
+        let (word, dialect) = limited.unwrap_or((text, None));
+        Exclusion {
+            word: word.to_owned(),
+            dialect,
         }
     }
 }

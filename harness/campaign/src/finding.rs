@@ -243,7 +243,7 @@ impl Finding {
     /// Returns the target, if this version of Stickler has it.
     #[must_use]
     pub fn target(&self) -> Option<FuzzTarget> {
-        FuzzTarget::from_name(&self.target)
+        FuzzTarget::from_word(&self.target)
     }
 
     /// Returns the dialect, if the input is a program and this version of Stickler knows it.

@@ -46,5 +46,5 @@ pub use record::{CampaignRequest, Record};
 pub use replay::{Replayed, replay};
 pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignProgress, CampaignSummary, run};
 pub use store::{Saved, Store, StoreError, load};
-pub use survey::{FailingPart, Survey, SurveyError, SurveyPlan, survey};
+pub use survey::{FailingPart, Survey, SurveyPlan, survey};
 pub use targets::TargetOracle;

@@ -1,7 +1,7 @@
 //! The parts of a campaign put together: each finding once, and what is missing said.
 
 use crate::finding::Finding;
-use crate::record::{CampaignRequest, FORMAT, RECORD, Record};
+use crate::record::{CampaignRequest, RECORD, Record};
 use crate::store::Store;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -36,9 +36,7 @@ pub fn merge(folders: &[PathBuf]) -> Merged {
         }
         merged.take_findings(folder);
     }
-    for ((asked, count, stickler), parts) in parts {
-        merged.take_campaign(asked, count, stickler, &parts);
-    }
+    parts.values().for_each(|parts| merged.take_campaign(parts));
     let names: Vec<String> = merged.findings.keys().cloned().collect();
     merged
         .campaigns
@@ -66,13 +64,9 @@ impl Merged {
         }
     }
 
-    fn take_campaign(
-        &mut self,
-        asked: CampaignRequest,
-        count: u32,
-        stickler: String,
-        parts: &[(Record, &PathBuf)],
-    ) {
+    fn take_campaign(&mut self, parts: &[(Record, &PathBuf)]) {
+        let Some((first, _)) = parts.first() else { return };
+        let (asked, count) = (&first.asked, first.parts);
         let before = self.missing.len();
         for (record, folder) in parts {
             if !record.complete {
@@ -113,26 +107,19 @@ impl Merged {
                 break;
             }
         }
-        let sum = |of: fn(&Record) -> u64| {
+        let all = |of: fn(&Record) -> u64| {
             parts
                 .iter()
                 .map(|(record, _)| of(record))
                 .fold(0, u64::saturating_add)
         };
         self.campaigns.push(Record {
-            format: FORMAT,
-            stickler,
-            asked,
             part: 1,
             parts: 1,
             complete: self.missing.len() == before,
-            programs: sum(|record| record.programs),
-            disagreements: sum(|record| record.disagreements),
-            findings: Vec::new(),
-            failing: parts
-                .first()
-                .map(|(record, _)| record.failing.clone())
-                .unwrap_or_default(),
+            programs: all(|record| record.programs),
+            disagreements: all(|record| record.disagreements),
+            ..first.clone()
         });
     }
 }
@@ -143,6 +130,7 @@ const MOST_SENTENCES: u32 = 20;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::FORMAT;
     use crate::sample;
     use std::fs;
 

@@ -223,11 +223,14 @@ fn toml_string(text: &str) -> String {
 }
 
 fn with_values(program: &str, values: &[ObservedValue]) -> String {
-    let mut text = program.to_owned();
     if values.is_empty() {
-        return with_error_free_end(text);
+        // A program without variables says that its last line is accepted.
+        return format!("{} (*! ok *)\n", program.trim_end());
     }
-    end_line(&mut text);
+    let mut text = program.to_owned();
+    if !text.ends_with('\n') {
+        text.push('\n');
+    }
     text.push_str("(*! values\n");
     for ObservedValue { name, value } in values {
         // Neither end nor beginning of a comment may stand in a mark.
@@ -236,12 +239,6 @@ fn with_values(program: &str, values: &[ObservedValue]) -> String {
     }
     text.push_str("*)\n");
     text
-}
-
-/// A program without variables says that its last line is accepted.
-fn with_error_free_end(text: String) -> String {
-    let trimmed = text.trim_end();
-    format!("{trimmed} (*! ok *)\n")
 }
 
 fn with_error(program: &str, code: &str, line: u32) -> String {
@@ -254,12 +251,6 @@ fn with_error(program: &str, code: &str, line: u32) -> String {
         text.push('\n');
     }
     text
-}
-
-fn end_line(text: &mut String) {
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,6 @@
 //! A finding, or an input alone, judged once more.
 
-use crate::differential::{
-    Agreement, EngineDisagreement, EngineUnderTest, JudgedProgram, ask, compare, describe,
-};
+use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask, compare, describe};
 use crate::finding::{EngineReport, ExpectedBehavior, Finding};
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
@@ -67,7 +65,7 @@ fn again(
             };
             let outcome = ask(&mut session, question);
             let wrong = match compare(question, &outcome) {
-                Agreement::Disagrees(EngineDisagreement { message, .. }) => Some(message),
+                Agreement::Disagrees { message, .. } => Some(message),
                 Agreement::Agrees | Agreement::Unsupported => None,
             };
             (outcome, wrong)

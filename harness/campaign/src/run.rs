@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::EngineError;
 use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
-use tasks::{CampaignTask, Done};
+use tasks::{CampaignTask, Done, TaskResult};
 
 /// An event of a campaign that goes on.
 #[derive(Debug)]
@@ -40,7 +40,7 @@ pub struct CampaignProgress {
 }
 
 /// The result of a campaign.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct CampaignSummary {
     /// Inputs that were judged or passed over.
     pub programs: u64,
@@ -71,9 +71,10 @@ impl CampaignSummary {
 }
 
 /// The way in which a campaign ended.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub enum CampaignEnd {
     /// All places were judged, or the time was up.
+    #[default]
     Done,
     /// The campaign was told to stop.
     Interrupted,
@@ -114,7 +115,7 @@ pub fn run(
     Ok(campaign.ledger.summary(clock.begun.elapsed(), interrupted))
 }
 
-/// An error that ends a campaign before an input is judged.
+/// An error that ends a campaign before an input is judged, or the survey before it.
 #[derive(Debug, thiserror::Error)]
 pub enum CampaignError {
     /// An engine could not be started.
@@ -224,15 +225,10 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
     }
 
     fn take(&mut self, done: Done) {
-        match done {
-            Done::Judged {
-                number,
-                verdicts,
-                lost,
-                took,
-            } => {
-                self.spent.judging += took;
-                self.lost(lost);
+        self.lost(done.lost);
+        match done.result {
+            TaskResult::Judged(number, verdicts) => {
+                self.spent.judging += done.took;
                 self.verdicts.put(number, verdicts);
                 while let Some(verdicts) = self.verdicts.pop() {
                     let entered = verdicts
@@ -241,14 +237,13 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
                     self.reductions.extend(entered);
                 }
             }
-            Done::Reduced { finding, lost, took } => {
-                self.spent.reducing += took;
-                self.lost(lost);
+            TaskResult::Reduced(finding) => {
+                self.spent.reducing += done.took;
                 if let Some(finding) = self.ledger.found(*finding) {
                     (self.tell)(CampaignEvent::Found(finding));
                 }
             }
-            Done::Panicked(reason) => self.lost(Some(reason)),
+            TaskResult::Panicked => {}
         }
         (self.tell)(CampaignEvent::Progress(self.ledger.progress()));
     }

@@ -10,13 +10,14 @@ mod probes;
 use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all, compare};
 use crate::exclusions::{Exclusions, UnknownWord};
 use crate::inputs::Inputs;
+use crate::run::CampaignError;
 use probes::{ProbeProgram, ProbeSource, SurveyProbe};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
-use stickler_engines::{EngineError, EngineSession};
-use stickler_types::DialectName;
-use stickler_workers::{SpawnError, WorkerPool};
+use stickler_engines::EngineSession;
+use stickler_types::{DialectName, distinct};
+use stickler_workers::WorkerPool;
 
 /// The number of times that an engine is given random programs with the parts that are left.
 const COVERING_ROUNDS: usize = 3;
@@ -70,22 +71,11 @@ pub struct FailingPart {
     pub program: String,
 }
 
-/// An error that ends a survey.
-#[derive(Debug, thiserror::Error)]
-pub enum SurveyError {
-    /// An engine could not be started.
-    #[error(transparent)]
-    Engine(#[from] EngineError),
-    /// The worker threads could not be started.
-    #[error(transparent)]
-    Workers(#[from] SpawnError),
-}
-
 /// Asks the engines of a campaign for each part of the language alone.
 ///
 /// # Errors
-/// [`SurveyError`] where an engine or a thread cannot be started.
-pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, SurveyError> {
+/// [`CampaignError`] where an engine or a thread cannot be started.
+pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, CampaignError> {
     let begun = Instant::now();
     let going = || (plan.going)() && plan.time.is_none_or(|time| begun.elapsed() < time);
     let plan = &SurveyPlan {
@@ -124,21 +114,17 @@ impl Survey {
     /// Returns the words for what failed, for [`Exclusions`]: with the dialect where the part did not fail in all of these.
     #[must_use]
     pub fn words(&self, dialects: &[DialectName]) -> Vec<String> {
-        let mut words: Vec<String> = Vec::new();
-        for part in &self.failing {
+        let word = |part: &FailingPart| {
             let fails_in = |dialect: &DialectName| {
                 let mut failing = self.failing.iter();
                 failing.any(|other| other.word == part.word && other.dialect == dialect.as_str())
             };
-            let word = match dialects.iter().all(fails_in) {
+            match dialects.iter().all(fails_in) {
                 true => part.word.clone(),
                 false => format!("{}@{}", part.word, part.dialect),
-            };
-            if !words.contains(&word) {
-                words.push(word);
             }
-        }
-        words
+        };
+        distinct(self.failing.iter().map(word))
     }
 
     /// Returns the exclusions of a campaign: these words and those for what failed.
@@ -157,7 +143,7 @@ impl Survey {
         plan: &SurveyPlan<'_>,
         engine: &EngineUnderTest<'_>,
         source: &ProbeSource,
-    ) -> Result<(), SurveyError> {
+    ) -> Result<(), CampaignError> {
         let mut suspects = source.words();
         let parts = suspects.len();
         self.parts += parts as u64;
@@ -182,7 +168,7 @@ impl Survey {
         engine: &EngineUnderTest<'_>,
         source: &ProbeSource,
         suspects: &BTreeSet<String>,
-    ) -> Result<(), SurveyError> {
+    ) -> Result<(), CampaignError> {
         let probes = source.probes(suspects);
         let programs: Vec<&ProbeProgram> = probes.iter().map(|probe| &probe.program).collect();
         let symptoms = self.symptoms(plan, engine, &programs)?;
@@ -212,11 +198,11 @@ impl Survey {
         plan: &SurveyPlan<'_>,
         engine: &EngineUnderTest<'_>,
         programs: &[&ProbeProgram],
-    ) -> Result<Vec<Option<Option<String>>>, SurveyError> {
+    ) -> Result<Vec<Option<Option<String>>>, CampaignError> {
         let begun = Instant::now();
         let pool = WorkerPool::new(plan.jobs);
         let chunk = engine.engine.pack_size().max(CHUNK_LEN);
-        let open = || Ok::<_, SurveyError>(EngineSession::open(engine.engine)?);
+        let open = || Ok::<_, CampaignError>(EngineSession::open(engine.engine)?);
         let work = |session: &mut EngineSession<'_>, chunk: &[&ProbeProgram]| {
             Ok(symptoms_of(session, chunk, plan.going))
         };
@@ -242,11 +228,8 @@ fn symptoms_of(
         Some(match compare(*question, &outcome?) {
             Agreement::Agrees => None,
             Agreement::Unsupported => Some("unsupported".to_owned()),
-            Agreement::Disagrees(disagreement) => Some(disagreement.symptom),
+            Agreement::Disagrees { symptom, .. } => Some(symptom),
         })
     });
     compared.collect()
 }
-
-#[cfg(test)]
-mod tests;

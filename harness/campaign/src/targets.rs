@@ -46,6 +46,6 @@ impl TargetOracle {
 
 impl Oracle for TargetOracle {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
-        Ok(Box::new(worker::TargetWorker { oracle: self }))
+        Ok(Box::new(self))
     }
 }

@@ -1,40 +1,37 @@
 //! The command line as clap reads it: commands, options and the help that teaches them by example.
 
-mod bless;
-mod compare;
-mod completions;
 mod conversions;
 mod engines;
 mod export;
 mod fuzz;
+mod judge;
 mod numbers;
 mod record;
 mod reduce;
+mod reports;
 mod reproduce;
 mod run;
-mod site;
 mod sources;
 
-pub use bless::BlessArguments;
-pub use compare::CompareArguments;
-pub use completions::CompletionsArguments;
 pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArguments, SweepArguments};
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+pub use judge::JudgeArguments;
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
+pub use reports::{BlessArguments, CompareArguments, SiteArguments};
 pub use reproduce::ReproduceArguments;
 pub use run::RunArguments;
-pub use site::SiteArguments;
 pub use sources::{ChangesArguments, SourcesArguments};
 
-use crate::exit::ExitCodeListing;
+use crate::exit;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use clap_complete::Shell;
 use numbers::whole;
 use std::path::PathBuf;
-use stickler_types::{ClockSetting, DialectName, Value};
+use stickler_types::{ClockSetting, DialectName, Setting, Value};
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
 ///
@@ -76,12 +73,15 @@ pub enum Command {
     /// Check the case files themselves
     #[command(after_help = include_str!("arguments/examples/lint.txt"))]
     Lint(LintArguments),
-    /// Show the diagnostics of the reference for one file
+    /// Show the diagnostics of the reference for a program of one file or several
     #[command(after_help = include_str!("arguments/examples/check.txt"))]
     Check(CheckArguments),
-    /// Execute one file on the reference and print the final values
+    /// Execute a program of one file or several on the reference and print the final values
     #[command(after_help = include_str!("arguments/examples/eval.txt"))]
     Eval(EvalArguments),
+    /// Execute a program, function block or function on traces, and compare what comes out with what they expect
+    #[command(after_help = include_str!("arguments/examples/judge.txt"))]
+    Judge(JudgeArguments),
     /// Print one file in the normalised form of the reference
     #[command(after_help = include_str!("arguments/examples/render.txt"))]
     Render(SourceArguments),
@@ -197,6 +197,9 @@ pub struct ShowArguments {
     /// The case's id, with or without `@dialect`
     #[arg(value_name = "CASE")]
     pub case: String,
+    /// Draw the scans up to N of a case with many, such as N of a value `count@N` [default: the first ones]
+    #[arg(long, value_name = "N")]
+    pub scan: Option<u32>,
     /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
@@ -221,13 +224,24 @@ pub struct SourceArguments {
     pub dialect: DialectName,
 }
 
+/// Source files that are one program, and the dialect to read it in.
+#[derive(Args, Debug)]
+pub struct ProgramArguments {
+    /// Files of Structured Text that are one program, or folders of files *.st; `-` reads stdin
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// The dialect to read it in
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: DialectName,
+}
+
 /// `stickler check`.
 #[derive(Args, Debug)]
 pub struct CheckArguments {
     /// The program to check.
     #[command(flatten)]
-    pub source: SourceArguments,
-    /// Print the reply of the wire protocol instead: one JSON object
+    pub program: ProgramArguments,
+    /// Print the reply of the wire protocol instead: one JSON object; of several files one a line, each with the name of its `file`
     #[arg(long)]
     pub json: bool,
 }
@@ -237,7 +251,13 @@ pub struct CheckArguments {
 pub struct EvalArguments {
     /// The program to execute.
     #[command(flatten)]
-    pub source: SourceArguments,
+    pub program: ProgramArguments,
+    /// Run this PROGRAM, whatever a configuration says [default: what a configuration says, or main, or the first]
+    #[arg(long = "program", value_name = "NAME")]
+    pub runs: Option<String>,
+    /// Give a variable a value before the first scan, or another one: `IN = BOOL#TRUE`, `IN = BOOL#FALSE before 3`; may be repeated
+    #[arg(long, value_name = "SETTING", value_parser = setting)]
+    pub set: Vec<Setting>,
     /// Run N scans
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(0, u32::MAX.into()), allow_negative_numbers = true)]
     pub scans: u32,
@@ -257,6 +277,30 @@ pub struct ExplainArguments {
     pub code: Option<String>,
 }
 
+/// `stickler completions`.
+#[derive(Args, Debug)]
+pub struct CompletionsArguments {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub shell: Shell,
+}
+
+/// Parses `NAME = VALUE` and `NAME = VALUE before SCAN`, as the marks of case files have it.
+fn setting(text: &str) -> Result<Setting, String> {
+    let wrong = || format!("`{text}` is no setting; write `NAME = INT#5` or `NAME = INT#5 before 3`");
+    let (name, rest) = text.split_once('=').ok_or_else(wrong)?;
+    let (value, before) = match rest.rsplit_once(" before ") {
+        Some((value, scan)) => (value, scan.trim().parse().map_err(|_| wrong())?),
+        None => (rest, 1),
+    };
+    let value = Value::parse(value.trim()).map_err(|error| format!("{}: {error}", value.trim()))?;
+    Ok(Setting {
+        before,
+        name: name.trim().into(),
+        value,
+    })
+}
+
 /// Parses a duration that is no less than none: its nanoseconds.
 fn duration(text: &str) -> Result<i64, String> {
     let value = Value::parse(text).ok();
@@ -265,6 +309,22 @@ fn duration(text: &str) -> Result<i64, String> {
     nanoseconds
         .filter(|nanoseconds| *nanoseconds >= 0)
         .ok_or_else(|| "expected a duration of 0 or more, such as T#10ms".to_owned())
+}
+
+/// Parses one of some values by its name.
+fn one_of<T>(
+    all: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let all: Vec<T> = all.into_iter().collect();
+    let names: Vec<&str> = all.iter().copied().map(name).collect();
+    PossibleValuesParser::new(names).try_map(move |word| {
+        let named = all.iter().copied().find(|one| name(*one) == word);
+        named.ok_or("nothing has this name")
+    })
 }
 
 /// The dialects that there are now: those of stickler.toml once that file was read.
@@ -285,10 +345,8 @@ fn dialects() -> impl TypedValueParser<Value = DialectName> {
 }
 
 fn top_level_help() -> String {
-    format!(
-        "{}\n{ExitCodeListing}",
-        include_str!("arguments/examples/top-level.txt")
-    )
+    let examples = include_str!("arguments/examples/top-level.txt");
+    format!("{examples}\n{}", exit::listing())
 }
 
 #[cfg(test)]

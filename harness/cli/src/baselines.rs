@@ -1,8 +1,7 @@
 //! Finds and reads baselines.
 
-use anyhow::{Context, bail};
-use std::fs;
-use std::io::ErrorKind;
+use crate::source_file;
+use anyhow::bail;
 use std::path::{Path, PathBuf};
 use stickler_run::Baseline;
 
@@ -19,10 +18,8 @@ pub fn place(root: &Path, engine: &str) -> PathBuf {
 /// A file that cannot be read, or that has a mistake; the error names its line.
 pub fn read(path: &Path) -> anyhow::Result<Option<(String, Baseline)>> {
     let shown = path.display().to_string();
-    let text = match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(error).with_context(|| format!("cannot read {shown}")),
+    let Some(text) = source_file::text_if_any(path)? else {
+        return Ok(None);
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let baseline = Baseline::read(&text, &shown, &stem)?;

@@ -97,12 +97,7 @@ impl CaseFolder {
     /// Reads all cases, with those that one edition of a compiler repeats of another, and reports mistakes in their files on stderr. Of the
     /// dialects that stickler.toml defines, only the given ones get cases, so that a run without arguments is the same everywhere.
     pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
-        let wanted = Wanted {
-            defined: &defined(dialects),
-            with_repeats: true,
-            ..Wanted::default()
-        };
-        let suite = Suite::load_with(&self.path, wanted);
+        let suite = Suite::load_with(&self.path, with_repeats(&defined(dialects)));
         report_mistakes(&suite);
         suite
     }
@@ -227,12 +222,9 @@ impl CaseFolder {
     /// A session of the reference that cannot be opened.
     pub fn load_file_for(&self, plan: &Plan, id: &str, kind: FileKind) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
-        let wanted = Wanted {
-            defined: &defined(named.iter().copied()),
-            with_repeats: true,
-            ..Wanted::default()
-        };
-        let suite = Suite::load_files(&self.path, wanted, |file, of| file == id && of == kind);
+        let defined = defined(named.iter().copied());
+        let is_wanted = |file: &str, of| file == id && of == kind;
+        let suite = Suite::load_files(&self.path, with_repeats(&defined), is_wanted);
         report_mistakes(&suite);
         self.prepared(plan, suite, named)
     }
@@ -243,14 +235,9 @@ impl CaseFolder {
     /// A session of the reference that cannot be opened.
     pub fn load_implicit_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
-        let wanted = Wanted {
-            defined: &defined(named.iter().copied()),
-            with_repeats: true,
-            ..Wanted::default()
-        };
-        let mut suite = Suite::load_files(&self.path, wanted, |id, kind| {
-            self.mentions(id, kind, "implicit(")
-        });
+        let defined = defined(named.iter().copied());
+        let is_wanted = |id: &str, kind| self.mentions(id, kind, "implicit(");
+        let mut suite = Suite::load_files(&self.path, with_repeats(&defined), is_wanted);
         let is_implicit = |case: &Case| matches!(case.question.as_deref(), Some(Question::Implicit(_)));
         suite.cases.retain(is_implicit);
         report_mistakes(&suite);
@@ -269,6 +256,15 @@ impl CaseFolder {
             suite,
             left_out,
         })
+    }
+}
+
+/// Wants all cases with those of these dialects of stickler.toml, and those that one edition of a compiler repeats of another.
+fn with_repeats(defined: &[DialectName]) -> Wanted<'_> {
+    Wanted {
+        defined,
+        with_repeats: true,
+        ..Wanted::default()
     }
 }
 
@@ -336,11 +332,7 @@ fn note_left_out(left_out: &[Case]) {
 
 /// Returns [`Exit::Usage`] where case files have mistakes, otherwise [`Exit::AsExpected`].
 pub fn exit_of(suite: &Suite) -> Exit {
-    if suite.errors.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Usage
-    }
+    Exit::Usage.when(!suite.errors.is_empty())
 }
 
 /// Reports on stderr why a plan selects no case of a [whole suite](CaseFolder::load_whole), and returns the exit code for that.

@@ -14,6 +14,7 @@ mod explain;
 mod export;
 mod fuzz;
 mod import;
+mod judge;
 mod lint;
 mod list;
 mod matrix;
@@ -51,6 +52,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Lint(arguments) => lint::execute(&arguments, out),
         Command::Check(arguments) => check::execute(&arguments, out),
         Command::Eval(arguments) => eval::execute(&arguments, out),
+        Command::Judge(arguments) => judge::execute(&arguments, out),
         Command::Render(arguments) => render::execute(&arguments, out),
         Command::Engine(arguments) => engine::execute(&arguments, out),
         Command::Engines(arguments) => engines::execute(&arguments, out),

@@ -1,6 +1,5 @@
 //! The exit codes of `stickler`: one list for the code and the help text; a test checks the manual against it.
 
-use std::fmt;
 use std::process::ExitCode;
 use stickler_campaign::CampaignError;
 use stickler_engines::EngineError;
@@ -57,6 +56,11 @@ impl Exit {
         } else {
             other
         }
+    }
+
+    /// Returns the exit code where something holds, and otherwise that all is as expected.
+    pub const fn when(self, holds: bool) -> Exit {
+        if holds { self } else { Exit::AsExpected }
     }
 
     /// Returns the number of the exit code, its rank among several, and its meaning.
@@ -148,17 +152,11 @@ pub struct SpeaksNone {
     pub hint: String,
 }
 
-/// The list of exit codes; its `Display` is the text that `--help` shows.
-pub struct ExitCodeListing;
-
-impl fmt::Display for ExitCodeListing {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "Exit codes:")?;
-        for exit in Exit::ALL {
-            writeln!(f, "  {:>3}  {}", exit.number(), exit.meaning())?;
-        }
-        write!(f, "Where several apply: 130 over 3 over 2 over 4 over 1.")
-    }
+/// Returns the list of exit codes that `--help` shows.
+pub fn listing() -> String {
+    let line = |exit: Exit| format!("  {:>3}  {}\n", exit.number(), exit.meaning());
+    let lines = Exit::ALL.map(line).concat();
+    format!("Exit codes:\n{lines}Where several apply: 130 over 3 over 2 over 4 over 1.")
 }
 
 #[cfg(test)]
@@ -181,11 +179,5 @@ mod tests {
             let row = format!("\n| {} | {} |\n", exit.number(), exit.meaning());
             assert!(manual.contains(&row), "{row}");
         }
-    }
-
-    #[test]
-    fn the_numbers_are_the_documented_ones() {
-        let numbers: Vec<u8> = Exit::ALL.iter().map(|exit| exit.number()).collect();
-        assert_eq!(numbers, [0, 1, 2, 3, 4, 130]);
     }
 }

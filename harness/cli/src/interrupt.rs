@@ -35,7 +35,7 @@ pub fn cancellation_ending_engines() -> anyhow::Result<&'static Cancellation> {
 /// # Errors
 /// A system that does not allow a signal handler to be set.
 pub fn cancellation() -> anyhow::Result<&'static Cancellation> {
-    listen()?;
+    at_once()?;
     ORDERLY.store(true, Ordering::Relaxed);
     Ok(&STOP)
 }
@@ -45,10 +45,6 @@ pub fn cancellation() -> anyhow::Result<&'static Cancellation> {
 /// # Errors
 /// A system that does not allow a signal handler to be set.
 pub fn at_once() -> anyhow::Result<()> {
-    listen()
-}
-
-fn listen() -> anyhow::Result<()> {
     if LISTENING.get().is_none() {
         ctrlc::set_handler(|| {
             if !ORDERLY.load(Ordering::Relaxed) || STOP.is_requested() {

@@ -1,6 +1,7 @@
 //! The two output streams: results on stdout, all else on stderr; colours only where the stream is a terminal.
 
 use anstyle::{AnsiColor, Style};
+use serde::Serialize;
 use std::env;
 use std::fmt::Display;
 use std::io::{self, BufWriter, Write};
@@ -72,9 +73,13 @@ pub fn width() -> Option<usize> {
     said.filter(|columns| *columns > 0).or_else(of_terminal)
 }
 
-/// Returns standard error, which strips styles as [`stdout`] does.
-pub fn stderr() -> impl Write {
-    anstream::stderr()
+/// Writes a value as JSON in one line.
+///
+/// # Errors
+/// Errors of writing to `out`.
+pub fn json_line(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer(&mut *out, value)?;
+    writeln!(out)
 }
 
 /// Writes an error and its causes to stderr.

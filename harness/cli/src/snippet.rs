@@ -14,18 +14,24 @@ const MAX_LINE_LEN: usize = 400;
 /// The maximum number of lines of a diagnostic's place that is shown.
 const MAX_EXCERPT_LINES: usize = 6;
 
-/// Writes the diagnostics of a text, nothing where there are none; `path` is the name to show for it.
+/// Writes the diagnostics of a text, nothing where there are none; `file_of` gives the name to show for the file of a line, and the lines
+/// before that file.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn Write) -> io::Result<()> {
+pub fn write<'f>(
+    diagnostics: &[Diagnostic],
+    text: &str,
+    file_of: impl Fn(u32) -> (&'f str, u32),
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let Some(first) = diagnostics.first() else {
         return Ok(());
     };
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();
     for diagnostic in diagnostics.iter().take(MAX_DIAGNOSTICS) {
-        let groups = groups(diagnostic, &lines, path);
+        let groups = groups(diagnostic, &lines, file_of(diagnostic.line.unwrap_or(1)));
         writeln!(out, "{}\n", renderer.render(Report::from(&groups[..])))?;
     }
     let number = diagnostics.len();
@@ -41,7 +47,7 @@ pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn W
     writeln!(out, "{found}; `stickler explain {code}` says more about a code.")
 }
 
-fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], path: &'a str) -> Vec<Group<'a>> {
+fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], (path, before): (&'a str, u32)) -> Vec<Group<'a>> {
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -49,7 +55,7 @@ fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], path: &'a str) -> Vec<
     let title = level
         .primary_title(&diagnostic.message)
         .id(diagnostic.code.as_deref().unwrap_or_default());
-    let line = diagnostic.line.unwrap_or_default() as usize;
+    let line = diagnostic.line.unwrap_or_default().saturating_sub(before) as usize;
     let Some(excerpt) = Excerpt::of(diagnostic, lines) else {
         let origin = Origin::path(path)
             .line(line)

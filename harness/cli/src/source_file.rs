@@ -1,9 +1,10 @@
-//! Reads source files as bytes, whatever their encoding.
+//! Reads source files as bytes, whatever their encoding; several of them as one program.
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use std::fs;
-use std::io::{self, Read};
-use std::path::Path;
+use std::io::{self, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+use stickler_types::Diagnostic;
 
 /// Reads the bytes of a file, or of stdin where the path is `-`; also returns the name to show for it.
 ///
@@ -17,4 +18,115 @@ pub fn read(path: &Path) -> anyhow::Result<(Vec<u8>, String)> {
     }
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     Ok((bytes, path.display().to_string()))
+}
+
+/// Reads a text file; `None` where there is none.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn text_if_any(path: &Path) -> anyhow::Result<Option<String>> {
+    match fs::read_to_string(path) {
+        Ok(text) => Ok(Some(text)),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error).with_context(|| format!("cannot read {}", path.display())),
+    }
+}
+
+/// Source files that are one program: their texts, one behind the other.
+pub struct Program {
+    /// The bytes of all files, each of which ends with its line.
+    pub bytes: Vec<u8>,
+    /// The name to show for each file, and the lines before it.
+    files: Vec<(String, u32)>,
+}
+
+impl Program {
+    /// Reads files, and of folders the files `*.st` in them and in their folders, in the order of their names.
+    ///
+    /// # Errors
+    /// A file or folder that cannot be read; a folder without such files.
+    pub fn read(paths: &[PathBuf]) -> anyhow::Result<Program> {
+        let mut program = Program {
+            bytes: Vec::new(),
+            files: Vec::new(),
+        };
+        for path in paths {
+            if !path.is_dir() {
+                program.add(path)?;
+                continue;
+            }
+            let files = files_of(path)?;
+            if files.is_empty() {
+                bail!("no file of {} ends with .st", path.display());
+            }
+            files.iter().try_for_each(|file| program.add(file))?;
+        }
+        Ok(program)
+    }
+
+    fn add(&mut self, path: &Path) -> anyhow::Result<()> {
+        const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+        let (bytes, name) = read(path)?;
+        if !self.bytes.is_empty() && !self.bytes.ends_with(b"\n") {
+            self.bytes.push(b'\n');
+        }
+        let lines = self.bytes.iter().filter(|byte| **byte == b'\n').count();
+        self.files.push((name, u32::try_from(lines)?));
+        let is_first = self.files.len() == 1;
+        let text = bytes.strip_prefix(BYTE_ORDER_MARK).filter(|_| !is_first);
+        self.bytes.extend_from_slice(text.unwrap_or(&bytes));
+        Ok(())
+    }
+
+    /// Returns the name of the file in which a line of the program stands, and the lines before the file.
+    #[must_use]
+    pub fn file_of(&self, line: u32) -> (&str, u32) {
+        let behind = self.files.partition_point(|(_, before)| *before < line).max(1);
+        let (name, before) = &self.files[behind - 1];
+        (name, *before)
+    }
+
+    /// Returns what to call all of it: the only file, or the number of files.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.files[..] {
+            [(name, _)] => name.clone(),
+            files => format!("{} files", files.len()),
+        }
+    }
+
+    /// Returns the diagnostics of each file, with lines of the file.
+    #[must_use]
+    pub fn by_file(&self, diagnostics: Vec<Diagnostic>) -> Vec<(&str, Vec<Diagnostic>)> {
+        let mut files: Vec<(&str, Vec<Diagnostic>)> =
+            self.files.iter().map(|(name, _)| (&**name, Vec::new())).collect();
+        for mut diagnostic in diagnostics {
+            let line = diagnostic.line.unwrap_or(1);
+            let behind = self.files.partition_point(|(_, before)| *before < line).max(1);
+            let before = self.files[behind - 1].1;
+            diagnostic.line = diagnostic.line.map(|line| line - before);
+            diagnostic.end_line = diagnostic.end_line.map(|line| line - before);
+            files[behind - 1].1.push(diagnostic);
+        }
+        files
+    }
+}
+
+/// Returns the files `*.st` of a folder and of the folders in it, in the order of their names.
+fn files_of(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let cannot = || format!("cannot read {}", folder.display());
+    let entries: io::Result<Vec<fs::DirEntry>> = fs::read_dir(folder).with_context(cannot)?.collect();
+    let mut entries = entries.with_context(cannot)?;
+    entries.sort_by_key(fs::DirEntry::file_name);
+    let mut files = Vec::new();
+    for entry in entries {
+        let path = entry.path();
+        // A link to a folder could lead back here.
+        if entry.file_type().with_context(cannot)?.is_dir() {
+            files.extend(files_of(&path)?);
+        } else if path.extension().is_some_and(|ext| ext.eq_ignore_ascii_case("st")) {
+            files.push(path);
+        }
+    }
+    Ok(files)
 }

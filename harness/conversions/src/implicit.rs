@@ -3,47 +3,27 @@
 use crate::recording::program_of;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::{Engine, EngineSession, Outcome};
-use stickler_types::{DialectName, MatrixWord, Question, TypePair};
+use stickler_types::{DialectName, MatrixWord, Question, TypePair, words};
 use stickler_workers::WorkerPool;
 
-/// The reaction of an engine to a value of one type in a variable of another. A crash is no
-/// rejection.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum MatrixAnswer {
-    /// The engine accepts the program.
-    Accepts,
-    /// The engine accepts the program with a warning.
-    Warns,
-    /// The engine rejects the program.
-    Rejects,
-    /// The engine does not support the request, which contradicts no document.
-    Unsupported,
-    /// The engine crashed, took too long or gave a malformed answer.
-    Fails,
+words! {
+    /// The reaction of an engine to a value of one type in a variable of another, with its word in a recording. A crash is no
+    /// rejection.
+    MatrixAnswer {
+        /// The engine accepts the program.
+        Accepts = "accepts",
+        /// The engine accepts the program with a warning.
+        Warns = "warns",
+        /// The engine rejects the program.
+        Rejects = "rejects",
+        /// The engine does not support the request, which contradicts no document.
+        Unsupported = "unsupported",
+        /// The engine crashed, took too long or gave a malformed answer.
+        Fails = "fails",
+    }
 }
 
 impl MatrixAnswer {
-    /// Every answer.
-    pub const ALL: [MatrixAnswer; 5] = [
-        MatrixAnswer::Accepts,
-        MatrixAnswer::Warns,
-        MatrixAnswer::Rejects,
-        MatrixAnswer::Unsupported,
-        MatrixAnswer::Fails,
-    ];
-
-    /// Returns the word for the answer in a recording.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            MatrixAnswer::Accepts => "accepts",
-            MatrixAnswer::Warns => "warns",
-            MatrixAnswer::Rejects => "rejects",
-            MatrixAnswer::Unsupported => "unsupported",
-            MatrixAnswer::Fails => "fails",
-        }
-    }
-
     /// Returns whether the answer contradicts the word of the documents. An engine that does not support the request contradicts nothing,
     /// and nothing contradicts a word that leaves the conversion open.
     #[must_use]
@@ -57,14 +37,6 @@ impl MatrixAnswer {
             (Some(MatrixWord::Warn), answer) => answer != MatrixAnswer::Warns,
             (Some(MatrixWord::No), answer) => answer != MatrixAnswer::Rejects,
         }
-    }
-
-    /// Returns the answer for a word of a recording.
-    #[must_use]
-    pub fn from_word(word: &str) -> Option<MatrixAnswer> {
-        MatrixAnswer::ALL
-            .into_iter()
-            .find(|answer| answer.as_str() == word)
     }
 }
 

@@ -8,7 +8,7 @@ use stickler_types::{ElementaryType, Value};
 /// the LREAL of the same value, so that a compiler which reads it by way of an LREAL gets it too.
 #[must_use]
 pub fn literal(value: &Value) -> String {
-    if let Some(number) = real(value) {
+    if let Some(number) = value.real() {
         let digits = Value::plain(ElementaryType::Lreal, number.to_bits());
         return format!("{}#{}", value.type_name(), digits.without_type());
     }
@@ -18,7 +18,9 @@ pub fn literal(value: &Value) -> String {
             ..
         }
         | Value::Text { .. } => value.without_type(),
-        Value::Plain { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => value.to_string(),
+        Value::Plain { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
+            value.to_string()
+        }
     }
 }
 
@@ -38,25 +40,7 @@ pub fn untyped_literal(value: &Value) -> String {
 /// Returns whether a value has a literal; NaN and the infinities have none.
 #[must_use]
 pub fn has_literal(value: &Value) -> bool {
-    real(value).is_none_or(f64::is_finite)
-}
-
-/// Returns a REAL or LREAL value as an `f64`, exactly; `None` for values of other types.
-#[must_use]
-pub fn real(value: &Value) -> Option<f64> {
-    match value {
-        Value::Plain {
-            ty: ElementaryType::Real,
-            raw,
-        } => u32::try_from(*raw)
-            .ok()
-            .map(|bits| f64::from(f32::from_bits(bits))),
-        Value::Plain {
-            ty: ElementaryType::Lreal,
-            raw,
-        } => Some(f64::from_bits(*raw)),
-        _ => None,
-    }
+    value.real().is_none_or(f64::is_finite)
 }
 
 /// Returns the literal of a power of two as an LREAL.

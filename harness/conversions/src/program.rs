@@ -1,6 +1,5 @@
 //! Writes programs that call a conversion function with a list of operands.
 
-use crate::literals;
 use std::fmt::Write;
 use stickler_engines::Observation;
 use stickler_types::{ElementaryType, Value};
@@ -86,7 +85,7 @@ pub fn listed(
 
 /// Returns the expression that computes a NaN or an infinity from the variable `infinite`; `None` for finite values.
 fn not_finite(value: &Value) -> Option<&'static str> {
-    match literals::real(value)? {
+    match value.real()? {
         number if number.is_nan() => Some("infinite - infinite"),
         f64::INFINITY => Some("infinite"),
         f64::NEG_INFINITY => Some("-infinite"),

@@ -17,7 +17,7 @@ use crate::session::{Refusal, RefusalKind};
 use std::collections::HashMap;
 use stickler_engines::{Ability, Grade, Identity};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin, TypePair, Value};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, TypePair, Value, words};
 
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
@@ -56,37 +56,17 @@ enum FunctionAnswers {
     Calls(AnsweredCalls),
 }
 
-/// A section of the answers of a recording.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum RecordedSection {
-    /// The pairs of types that convert implicitly.
-    Implicit,
-    /// The bits and parts of a type that can be read.
-    Bits,
-    /// The results of comparisons of different types.
-    Comparisons,
-    /// The results of conversion functions.
-    Functions,
-}
-
-impl RecordedSection {
-    /// Every section, in the order in which a file has them.
-    pub const ALL: [RecordedSection; 4] = [
-        RecordedSection::Implicit,
-        RecordedSection::Bits,
-        RecordedSection::Comparisons,
-        RecordedSection::Functions,
-    ];
-
-    /// Returns the name of the section in a file.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            RecordedSection::Implicit => "implicit",
-            RecordedSection::Bits => "bits",
-            RecordedSection::Comparisons => "comparisons",
-            RecordedSection::Functions => "functions",
-        }
+words! {
+    /// A section of the answers of a recording, with its name in a file; in the order in which a file has them.
+    RecordedSection {
+        /// The pairs of types that convert implicitly.
+        Implicit = "implicit",
+        /// The bits and parts of a type that can be read.
+        Bits = "bits",
+        /// The results of comparisons of different types.
+        Comparisons = "comparisons",
+        /// The results of conversion functions.
+        Functions = "functions",
     }
 }
 
@@ -159,15 +139,10 @@ impl Recording {
     /// Returns the identity under which the answers are shown beside those of engines.
     #[must_use]
     pub fn identity(&self) -> Identity {
-        let RecordingOrigin {
-            product,
-            version,
-            date,
-            ..
-        } = &self.origin;
+        let origin = &self.origin;
         Identity {
-            name: format!("{product} {version}"),
-            version: format!("(recorded {date})"),
+            name: format!("{} {}", origin.product, origin.version),
+            version: format!("(recorded {})", origin.date),
             dialects: self.dialects.clone(),
             abilities: vec![Ability::Check, Ability::Execute],
             grade: Grade::Rejected,
@@ -178,11 +153,8 @@ impl Recording {
     /// Returns the recorded reaction to a value of one type in a variable of another; `None` where it was not asked.
     #[must_use]
     pub fn implicit(&self, dialect: DialectName, pair: TypePair) -> Option<MatrixAnswer> {
-        let word = self.word(
-            dialect,
-            (RecordedSection::Implicit, pair.0, pair.1.name().to_owned()),
-        );
-        word.and_then(MatrixAnswer::from_word)
+        let key = (RecordedSection::Implicit, pair.0, pair.1.name().to_owned());
+        self.word(dialect, key).and_then(MatrixAnswer::from_word)
     }
 
     /// Returns the recorded reaction to a program that reads a bit or a part of a variable, such as `7` or `%B1`; `None` where it was not
@@ -284,7 +256,7 @@ mod tests {
         };
         let dialects = [DialectName::MATIEC, DialectName::IRONPLC_ED2];
         let reference = Reference::default();
-        let sections = &RecordedSection::ALL;
+        let sections = RecordedSection::ALL;
         let recording = Recording::ask(&reference, with_commit, &dialects, sections, 0, &|| {}).unwrap();
         let mut text = Vec::new();
         recording.write(&mut text).unwrap();

@@ -22,6 +22,7 @@ mod recipe;
 mod rename;
 mod rounds;
 mod rusty;
+mod settings;
 mod source;
 mod strucpp;
 mod values;

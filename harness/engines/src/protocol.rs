@@ -14,9 +14,7 @@ mod server;
 
 pub use reply::{AcceptedReply, ErrorReply, ExecutedReply, FaultedReply, HelloReply};
 pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
-pub use request::{
-    ClockMessage, HelloRequest, ObserveMessage, ProgramRequest, Request, RunMessage, SetMessage,
-};
+pub use request::{ClockMessage, HelloRequest, ProgramRequest, Request, RunMessage, SetMessage};
 pub use server::serve;
 
 /// The version of the protocol that this crate speaks.

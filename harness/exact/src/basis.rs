@@ -218,8 +218,8 @@ impl<'s> UnaryCall<'s> {
     /// Returns the basis of a conversion from one real type to the other.
     fn of_real_to_real(self, raw: u64) -> &'static str {
         match real::decode(raw, self.from) {
-            Real::Finite { .. } if self.rules == Rules::Matiec && self.to == ElementaryType::Real => RANGE,
-            Real::Finite { .. } => ROUNDED,
+            Real::Finite(_) if self.rules == Rules::Matiec && self.to == ElementaryType::Real => RANGE,
+            Real::Finite(_) => ROUNDED,
             _ => SPECIAL,
         }
     }
@@ -239,10 +239,9 @@ impl<'s> UnaryCall<'s> {
         use ElementaryType::{Dint, Int, Real, Udint, Uint};
         let is_on_the_page = match (self.from, self.to) {
             (Real, Int | Dint) => true,
-            (Real, Uint | Udint) => !matches!(
-                real::decode(raw, self.from),
-                real::Real::Finite { negative: true, .. }
-            ),
+            (Real, Uint | Udint) => {
+                !matches!(real::decode(raw, self.from), real::Real::Finite(number) if number.negative)
+            }
             _ => false,
         };
         (is_on_the_page && self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
@@ -386,11 +385,7 @@ impl<'s> UnaryCall<'s> {
     /// Returns the operand, rounded to an integer; `None` for a NaN and the infinities.
     fn whole(self, raw: u64, rounding: Rounding) -> Option<Whole> {
         match real::decode(raw, self.from) {
-            Real::Finite {
-                negative,
-                significand,
-                exponent,
-            } => Some(real::to_whole(negative, significand, exponent, rounding)),
+            Real::Finite(number) => Some(real::to_whole(number, rounding)),
             _ => None,
         }
     }

@@ -18,7 +18,7 @@ use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 /// | name | takes | gives |
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST, which is another type |
-/// | `TO_<DST>` | any type that has a meaning in DST, DST among them | DST |
+/// | `TO_<DST>` | any type that has a meaning in DST, DST among them; those that the dialect's file lists | DST |
 /// | `TRUNC` | REAL, LREAL | DINT; LINT of an LREAL in `omron` |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
@@ -44,7 +44,14 @@ pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     let Some(known) = Catalogue::of(dialect).by_name.get(&short_spelling(&name)) else {
         return Vec::new();
     };
-    let renamed = known.iter().map(|signature| Signature {
+    let inputs = &Dialect::of(dialect).inputs;
+    let is_taken = |signature: &&Signature| {
+        let listed = inputs
+            .get(&signature.result)
+            .filter(|_| name == format!("TO_{}", signature.result));
+        listed.is_none_or(|inputs| signature.operands.iter().all(|from| inputs.contains(from)))
+    };
+    let renamed = known.iter().filter(is_taken).map(|signature| Signature {
         function: name.clone(),
         ..signature.clone()
     });

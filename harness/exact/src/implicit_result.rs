@@ -29,7 +29,7 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
     let (from, raw) = match *value {
         Value::Plain { ty, raw } => (ty, raw),
         Value::Text { ty, .. } => return (ty == to).then(|| ImplicitResult::Exactly(value.clone())),
-        Value::Enumerated { .. } | Value::OutOfRange { .. } => return None,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => return None,
     };
     let is_number = |ty: ElementaryType| ty.integer_range().is_some();
     let raw = match (from, to) {

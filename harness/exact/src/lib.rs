@@ -16,6 +16,7 @@
 //! | which types become others without a call? | [`implicit()`] |
 //! | what does a value become without a call? | [`implicit_result()`] |
 //! | which signature has the function of a call? | [`signature_of`] |
+//! | what does a function of real numbers give, SIN or EXPT? | [`nearest_result`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -42,6 +43,7 @@ mod calendar;
 mod catalogue;
 mod character;
 mod choices;
+mod elementary;
 mod implicit;
 mod implicit_result;
 mod integer;
@@ -58,6 +60,7 @@ pub use basis::{Expected, expected, is_overridden, page_has_truncation};
 pub use bulk::Bulk;
 pub use catalogue::{functions, has_type, signature_of, signatures};
 pub use choices::choices_of;
+pub use elementary::nearest_result;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};
 pub use signature::{Operation, Signature};

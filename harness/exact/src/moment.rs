@@ -112,15 +112,11 @@ pub(crate) const fn counter(ty: ElementaryType) -> ElementaryType {
 /// Returns the raw form of a real number of units, rounded to the nearest nanosecond, ties to even, modulo 2^64; NaN and
 /// the infinities give 0.
 pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
-    let Real::Finite {
-        negative,
-        significand,
-        exponent,
-    } = real::decode(raw, from)
-    else {
+    let Real::Finite(number) = real::decode(raw, from) else {
         return stored(wrapped(zero(to, units)), to);
     };
-    let nanoseconds = BigUint::from(significand) * unit(to, units);
+    let exponent = number.exponent;
+    let nanoseconds = BigUint::from(number.significand) * unit(to, units);
     let magnitude = if exponent < 0 {
         let divisor = BigUint::from(1_u32) << exponent.unsigned_abs();
         quotient::half_to_even(&nanoseconds, &divisor)
@@ -128,7 +124,7 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
         nanoseconds << exponent.unsigned_abs()
     };
     let low = magnitude.iter_u64_digits().next().unwrap_or(0);
-    let bits = if negative { low.wrapping_neg() } else { low };
+    let bits = if number.negative { low.wrapping_neg() } else { low };
     stored(wrapped(i128::from(bits.cast_signed()) + zero(to, units)), to)
 }
 
@@ -139,17 +135,13 @@ pub(crate) fn is_whole_moment(
     to: ElementaryType,
     units: MomentUnits,
 ) -> bool {
-    let Real::Finite {
-        negative,
-        significand,
-        exponent,
-    } = real::decode(raw, from)
-    else {
+    let Real::Finite(finite) = real::decode(raw, from) else {
         return false;
     };
     // A whole number has no bits below the point, and no duration has 64 of them above it.
-    let whole = exponent >= 0 || significand.trailing_zeros() >= exponent.unsigned_abs() || significand == 0;
-    match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
+    let zeros = finite.significand.trailing_zeros();
+    let whole = finite.exponent >= 0 || zeros >= finite.exponent.unsigned_abs() || finite.significand == 0;
+    match real::to_whole(finite, Rounding::Truncate) {
         real::Whole::Number(number) if whole && number.unsigned_abs() < 1 << 64 => {
             fits(of_units(number, to, units))
         }

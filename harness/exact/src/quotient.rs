@@ -52,15 +52,11 @@ mod tests {
 
     /// Returns the positive number of a finite raw form.
     fn number(raw: u64, ty: ElementaryType) -> Fraction {
-        let real::Real::Finite {
-            significand,
-            exponent,
-            ..
-        } = real::decode(raw, ty)
-        else {
+        let real::Real::Finite(number) = real::decode(raw, ty) else {
             panic!("{raw:X} is no finite {ty}");
         };
-        Fraction::from_integer(significand.into()) * Fraction::from_integer(2.into()).pow(exponent)
+        Fraction::from_integer(number.significand.into())
+            * Fraction::from_integer(2.into()).pow(number.exponent)
     }
 
     /// Checks a result against the definition: no finite number is nearer, and of two equally near ones it is the even one.
@@ -69,11 +65,7 @@ mod tests {
         let raw = nearest(false, numerator, denominator, ty);
         let distance = |raw| {
             let difference = number(raw, ty) - &exact;
-            if difference < Fraction::zero() {
-                -difference
-            } else {
-                difference
-            }
+            difference.clone().max(-difference)
         };
         for other in [raw.saturating_sub(1), raw + 1] {
             if other == raw || other == real::infinite(false, ty) {

@@ -12,15 +12,19 @@ pub(crate) enum Real {
         /// Whether the infinity is negative.
         negative: bool,
     },
-    /// The number `significand * 2^exponent`, or its negative.
-    Finite {
-        /// Whether the sign bit is set, which zero has too.
-        negative: bool,
-        /// The significand, below 2^53.
-        significand: u64,
-        /// The exponent, from -1074 to 971.
-        exponent: i32,
-    },
+    /// A number.
+    Finite(Finite),
+}
+
+/// The number `significand * 2^exponent`, or its negative.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Finite {
+    /// Whether the sign bit is set, which zero has too.
+    pub(crate) negative: bool,
+    /// The significand, below 2^53.
+    pub(crate) significand: u64,
+    /// The exponent, from -1074 to 971.
+    pub(crate) exponent: i32,
 }
 
 /// The shape of an interchange format.
@@ -98,11 +102,11 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
     } else {
         (fraction | 1 << fraction_bits, biased as i32 - 1)
     };
-    Real::Finite {
+    Real::Finite(Finite {
         negative,
         significand,
         exponent: binades + format.least_exponent,
-    }
+    })
 }
 
 /// Returns whether the next finite number toward zero is only half as far away as the next one on the other side: true of
@@ -110,11 +114,9 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
 pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
     let format = FormatParameters::of(ty);
     match decode(raw, ty) {
-        Real::Finite {
-            significand,
-            exponent,
-            ..
-        } => significand == 1 << (format.precision - 1) && exponent > format.least_exponent,
+        Real::Finite(number) => {
+            number.significand == 1 << (format.precision - 1) && number.exponent > format.least_exponent
+        }
         _ => false,
     }
 }
@@ -192,17 +194,19 @@ pub(crate) fn between(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
     match decode(raw, from) {
         Real::NotANumber => not_a_number(to),
         Real::Infinite { negative } => infinite(negative, to),
-        Real::Finite {
-            negative,
-            significand,
-            exponent,
-        } => nearest(negative, significand.into(), false, exponent, to),
+        Real::Finite(number) => nearest(
+            number.negative,
+            number.significand.into(),
+            false,
+            number.exponent,
+            to,
+        ),
     }
 }
 
 /// Returns whether a real number is not zero; a NaN is not.
 pub(crate) const fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
-    !matches!(decode(raw, ty), Real::Finite { significand: 0, .. })
+    !matches!(decode(raw, ty), Real::Finite(Finite { significand: 0, .. }))
 }
 
 /// A real number rounded to an integer.
@@ -217,8 +221,13 @@ pub(crate) enum Whole {
     },
 }
 
-/// Rounds `significand * 2^exponent`, or its negative, to an integer.
-pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding: Rounding) -> Whole {
+/// Rounds a number to an integer.
+pub(crate) fn to_whole(number: Finite, rounding: Rounding) -> Whole {
+    let Finite {
+        negative,
+        significand,
+        exponent,
+    } = number;
     if significand == 0 {
         return Whole::Number(0);
     }
@@ -241,6 +250,7 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
         Rounding::HalfAwayFromZero => rest >= half,
         Rounding::Up => rest > 0 && !negative,
         Rounding::Down => rest > 0 && negative,
+        Rounding::AwayFromZero => rest > 0,
     };
     let magnitude = below as i128 + i128::from(away);
     Whole::Number(if negative { -magnitude } else { magnitude })
@@ -249,13 +259,9 @@ pub(crate) fn to_whole(negative: bool, significand: u64, exponent: i32, rounding
 /// Rounds a real number to a whole one that is a real number of the other type; keeps NaN and the infinities.
 pub(crate) fn whole(raw: u64, from: ElementaryType, to: ElementaryType, rounding: Rounding) -> u64 {
     match decode(raw, from) {
-        Real::Finite {
-            negative,
-            significand,
-            exponent,
-        } if exponent < 0 => match to_whole(negative, significand, exponent, rounding) {
-            Whole::Number(number) if number != 0 => from_integer(number, to),
-            _ => FormatParameters::of(to).sign(negative),
+        Real::Finite(number) if number.exponent < 0 => match to_whole(number, rounding) {
+            Whole::Number(whole) if whole != 0 => from_integer(whole, to),
+            _ => FormatParameters::of(to).sign(number.negative),
         },
         _ => between(raw, from, to),
     }

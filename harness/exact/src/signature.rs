@@ -23,7 +23,7 @@ impl Signature {
     pub fn takes(&self, operands: &[Value]) -> bool {
         let types = operands.iter().map(|operand| match operand {
             Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
         });
         types.eq(self.operands.iter().map(|&ty| Some(ty)))
     }

@@ -153,11 +153,7 @@ fn from_real(
     let whole = match real::decode(raw, from) {
         Real::NotANumber => return not_a_number(to, out_of_range),
         Real::Infinite { negative } => Whole::Huge { negative },
-        Real::Finite {
-            negative,
-            significand,
-            exponent,
-        } => real::to_whole(negative, significand, exponent, rounding),
+        Real::Finite(number) => real::to_whole(number, rounding),
     };
     match (whole, out_of_range) {
         (Whole::Number(number), OutOfRange::Wrap) => integer::wrapped(number, to),

@@ -40,5 +40,5 @@ fn is_of_finite_real(signature: &Signature, operands: &[Value]) -> bool {
         && !signature.function.starts_with("TO_")
         && (to.is_integer() || (to.is_bit_string() && to.bits() > 1))
         && signature.takes(operands)
-        && matches!(real::decode(raw, from), real::Real::Finite { .. })
+        && matches!(real::decode(raw, from), real::Real::Finite(_))
 }

@@ -13,6 +13,9 @@ pub enum ExportError {
         .0.display(), crate::MANIFEST
     )]
     NotEmpty(PathBuf),
+    /// The folder of an export without a harness holds files.
+    #[error("{} is not empty; name an empty folder, or one that is not there yet", .0.display())]
+    Occupied(PathBuf),
     /// The folder holds no export.
     #[error(
         "{} holds no export (there is no {} in it); name the folder that `stickler export` wrote with --export DIR",

@@ -101,18 +101,9 @@ impl Export {
     }
 
     /// Judges the copied texts as the results of the engine of `judge`. Emits events to `sink`: a header, the cases that can be
-    /// judged, in the order of the pages, and a footer where these are all cases.
+    /// judged, in the order of the pages, and a footer where these are all cases. Calls `answered` with each case that can be judged and
+    /// what the compiler did with it.
     pub fn import(
-        &self,
-        sources: &[CopiedText],
-        judge: &CaseJudge<'_>,
-        sink: &mut dyn FnMut(Event),
-    ) -> Imported {
-        self.import_with(sources, judge, sink, &mut |_, _| {})
-    }
-
-    /// Does as [`Export::import`], and calls `answered` with each case that can be judged and what the compiler did with it.
-    pub fn import_with(
         &self,
         sources: &[CopiedText],
         judge: &CaseJudge<'_>,
@@ -374,25 +365,22 @@ struct PageResults {
 fn compiled_outcome(message: Option<String>) -> PageResult {
     let outcome = match message {
         None => Outcome::ACCEPTED,
-        Some(message) => Outcome::Rejected {
-            diagnostics: vec![Diagnostic {
-                message,
-                ..Diagnostic::default()
-            }],
-        },
+        Some(message) => rejected(message),
     };
     PageResult::Outcome(outcome, Vec::new())
+}
+
+fn rejected(message: String) -> Outcome {
+    Outcome::rejected(vec![Diagnostic {
+        message,
+        ..Diagnostic::default()
+    }])
 }
 
 fn noted(answer: ReportedOutcome, place: &str) -> Outcome {
     match answer {
         ReportedOutcome::Accepted => Outcome::ACCEPTED,
-        ReportedOutcome::Rejected => Outcome::Rejected {
-            diagnostics: vec![Diagnostic {
-                message: format!("rejected, as noted at {place}"),
-                ..Diagnostic::default()
-            }],
-        },
+        ReportedOutcome::Rejected => rejected(format!("rejected, as noted at {place}")),
         ReportedOutcome::Crashed => Outcome::Crashed {
             reason: format!("as noted at {place}"),
         },

@@ -3,7 +3,7 @@
 //! [`export()`] writes pages of self-checking programs, which a person pastes into the editor, and a [`MANIFEST`] that says what
 //! stands where. An [`Export`] reads that back and [imports](Export::import) the [texts](CopiedText) that the person copies out of
 //! the editor: arrays of results, or lists of messages of pages that are only compiled. They are judged as a run of any engine is.
-//! The behaviour of a compiler in a single case can also be noted in [`ANSWERS`]; a [`Reason`] says why a case is on no page.
+//! [`export_plain`] writes cases for people who have no harness. The behaviour of a compiler in a single case can also be noted in [`ANSWERS`]; a [`Reason`] says why a case is on no page.
 #![forbid(unsafe_code)]
 
 mod answers;
@@ -18,6 +18,7 @@ mod messages;
 mod page;
 mod page_case;
 mod paste;
+mod plain;
 mod plcopen;
 mod reason;
 mod record;
@@ -32,5 +33,6 @@ pub use export::{ExportPlan, Exported, export};
 pub use import::{CopiedText, Export, Imported};
 pub use manifest::MANIFEST;
 pub use page_case::ExtraCases;
+pub use plain::{CASES, PlainExported, export_plain};
 pub use plcopen::ProjectPlan;
 pub use reason::Reason;

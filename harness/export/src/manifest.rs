@@ -40,7 +40,7 @@ pub(crate) struct Manifest {
 }
 
 /// A page in the manifest.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct PageRecord {
     /// The file of the page.
     pub(crate) file: String,

@@ -176,11 +176,6 @@ mod tests {
         manifest.pages.push(PageRecord {
             file: "page-001.st".to_owned(),
             number: 1,
-            identity: 0,
-            elements: 0,
-            cases: Vec::new(),
-            steps: Vec::new(),
-            answered: Vec::new(),
             lines: LinesRecord {
                 units: 0,
                 declarations: 6,
@@ -191,6 +186,7 @@ mod tests {
                     vec![(10, 10)],
                 ],
             },
+            ..PageRecord::default()
         });
         manifest
     }

@@ -379,6 +379,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
         }
         Value::Plain { .. } => Some(typed),
         // Few compilers know typed literals of texts; the value of an enumeration is known by its name.
+        Value::Near { .. } => None,
         Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => {
             Some(value.without_type())
         }

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use stickler_engines::protocol::ObserveMessage;
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue};
-use stickler_types::{Code, DialectName, Observation, Question, Value};
+use stickler_types::{Code, DialectName, Observation, Question};
 
 /// The record of a case. Its program is that of the suite, not that of a page.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -18,43 +17,18 @@ pub(crate) struct CaseRecord {
     source: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     question: Option<Question>,
-    accepted: RequiredAcceptance,
+    accepted: Acceptance,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     diagnostics: Vec<(u32, String)>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    values: Vec<ValueRecord>,
+    values: Vec<ExpectedValue>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    observe: Vec<ObserveMessage>,
-}
-
-/// The demand on the acceptance of the program.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum RequiredAcceptance {
-    Required,
-    Rejected,
-    Open,
-}
-
-/// The value that a variable must have, as a typed literal, and the line of the case file that states it.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-struct ValueRecord {
-    name: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    after: Option<u32>,
-    value: String,
-    line: u32,
+    observe: Vec<Observation>,
 }
 
 impl CaseRecord {
     pub(crate) fn of(case: &Case) -> CaseRecord {
         let expectation = &*case.expectation;
-        let values = expectation.values.iter().map(|value| ValueRecord {
-            name: value.name.to_string(),
-            after: value.after,
-            value: value.value.to_string(),
-            line: value.line,
-        });
         let diagnostics = expectation.diagnostics.iter();
         CaseRecord {
             id: case.id.to_string(),
@@ -65,34 +39,20 @@ impl CaseRecord {
             area: case.area.to_string(),
             source: case.source.to_string(),
             question: case.question.as_deref().cloned(),
-            accepted: match expectation.accepted {
-                Acceptance::Required => RequiredAcceptance::Required,
-                Acceptance::Rejected => RequiredAcceptance::Rejected,
-                Acceptance::Observed => RequiredAcceptance::Open,
-            },
+            accepted: expectation.accepted,
             diagnostics: diagnostics
                 .map(|reported| (reported.line, reported.code.as_str().to_owned()))
                 .collect(),
-            values: values.collect(),
-            observe: case.observe.iter().map(ObserveMessage::from).collect(),
+            values: expectation.values.clone(),
+            observe: case.observe.to_vec(),
         }
     }
 
     /// Returns the case of the record.
     ///
     /// # Errors
-    /// A fragment that names an invalid value or diagnostic code of the record.
+    /// A fragment that names an invalid diagnostic code of the record.
     pub(crate) fn case(&self, dialect: DialectName) -> Result<Case, String> {
-        let values = self.values.iter().map(|record| {
-            let value = Value::parse(&record.value)
-                .map_err(|error| format!("`{}` of {} is no value: {error}", record.value, self.id))?;
-            Ok(ExpectedValue {
-                name: record.name.as_str().into(),
-                after: record.after,
-                value,
-                line: record.line,
-            })
-        });
         let diagnostics = self.diagnostics.iter().map(|(line, code)| {
             let known = code.parse::<Code>();
             Ok(ExpectedDiagnostic {
@@ -107,16 +67,12 @@ impl CaseRecord {
             area: self.area.as_str().into(),
             line: self.line,
             expectation: Arc::new(Expectation {
-                accepted: match self.accepted {
-                    RequiredAcceptance::Required => Acceptance::Required,
-                    RequiredAcceptance::Rejected => Acceptance::Rejected,
-                    RequiredAcceptance::Open => Acceptance::Observed,
-                },
+                accepted: self.accepted,
                 diagnostics: diagnostics.collect::<Result<_, String>>()?,
-                values: values.collect::<Result<_, String>>()?,
+                values: self.values.clone(),
                 ..Expectation::default()
             }),
-            observe: self.observe.iter().map(Observation::from).collect(),
+            observe: self.observe.clone().into(),
             question: self.question.clone().map(Arc::new),
             ..Case::of_program(&self.id, dialect, &self.source)
         })

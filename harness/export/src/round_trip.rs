@@ -85,7 +85,7 @@ fn import(export: &Export, texts: &[CopiedText], sink: &mut dyn FnMut(Event)) ->
         lacks: None,
         baseline: None,
     };
-    export.import(texts, &judge, sink)
+    export.import(texts, &judge, sink, &mut |_, _| {})
 }
 
 fn engine() -> Identity {

@@ -32,6 +32,6 @@ mod statements;
 #[cfg(test)]
 mod tests;
 
-use answer::ill_formed;
+use answer::{Evaluated, ill_formed};
 pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
 pub use evaluator::{MAX_STEPS, evaluate};

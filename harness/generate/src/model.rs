@@ -18,9 +18,7 @@ pub use expression::{
     StandardFunction, UnaryOperator,
 };
 pub use lookup::subscripts;
-pub use program::{
-    Function, FunctionBlock, InitialValue, MainPou, Program, Variable, VariableId, VariableSection,
-};
+pub use program::{InitialValue, Pou, Program, Variable, VariableId, VariableSection};
 pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, ForLoop, Statement};
 pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};
 pub use unit::Unit;

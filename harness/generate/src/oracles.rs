@@ -16,5 +16,6 @@ mod target;
 mod words;
 
 pub use check::{SoundProgram, check, judge as judge_planted, judge_planted_text, judge_sound_text};
-pub use failure::{InputOutcome, OracleFailure};
+use failure::failed;
+pub use failure::{InputOutcome, Judged, OracleFailure};
 pub use target::FuzzTarget;

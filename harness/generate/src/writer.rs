@@ -18,4 +18,4 @@ mod statements;
 mod style;
 
 pub use declarations::{WrittenProgram, write};
-pub use style::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm};
+pub use style::{Keywords, Style};

@@ -233,7 +233,8 @@ pub fn check_examples(path: &str, mut result: impl FnMut(&Example) -> String) {
 }
 
 /// Returns whether a text is the expected one, in which `…` stands for any text.
-fn fits(expected: &str, came: &str) -> bool {
+#[must_use]
+pub fn fits(expected: &str, came: &str) -> bool {
     let mut pieces = expected.split('…');
     let first = pieces.next().unwrap_or_default();
     let Some(mut rest) = came.strip_prefix(first) else {

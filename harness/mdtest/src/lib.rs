@@ -45,7 +45,8 @@ mod marks;
 
 pub use block::{Block, Difference, Program, same};
 pub use differences::{Reported, differences};
-pub use examples::{Example, check_examples};
+pub use examples::{Example, check_examples, fits};
 pub use expansion::expanded;
 pub use folder::check;
+pub use markdown::{Fence, Section, sections};
 pub use marks::{Marks, Value};

@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 /// A mistake in a file: its line, from 1, and what is wrong.
-pub(crate) type Mistake = (usize, String);
+pub type Mistake = (usize, String);
 
 /// A fenced block of a file.
 #[derive(Clone, Debug)]
-pub(crate) struct Fence {
+pub struct Fence {
     /// What stands behind the fence.
-    pub(crate) info: String,
+    pub info: String,
     /// The text between the fences, without its last line feed.
-    pub(crate) text: String,
+    pub text: String,
     /// The lines of the text, from 0.
     pub(crate) lines: Range<usize>,
 }
@@ -23,27 +23,37 @@ impl Fence {
     }
 }
 
-/// What stands below a heading.
+/// What stands below a heading, up to the next.
 #[derive(Default)]
-pub(crate) struct Section {
-    pub(crate) heading: String,
+pub struct Section {
+    /// The number of signs before the heading.
+    pub level: usize,
+    /// The heading.
+    pub heading: String,
     /// The line of the heading, from 1.
-    pub(crate) line: usize,
-    pub(crate) blocks: Vec<Fence>,
-    pub(crate) rows: Vec<Row>,
+    pub line: usize,
+    /// The fenced blocks.
+    pub blocks: Vec<Fence>,
+    /// The rows of the tables.
+    pub rows: Vec<Row>,
 }
 
 /// A row of a table.
-pub(crate) struct Row {
+pub struct Row {
     /// The line of the row, from 0.
-    pub(crate) line: usize,
+    pub line: usize,
     /// The names of the columns.
-    pub(crate) columns: Vec<String>,
-    pub(crate) cells: Vec<String>,
+    pub columns: Vec<String>,
+    /// The texts of the cells; `\|` is no end of a cell.
+    pub cells: Vec<String>,
 }
 
-/// Returns the sections of a text; the first is what stands above all others.
-pub(crate) fn sections(text: &str) -> Result<Vec<Section>, Mistake> {
+/// Returns the sections of a text; the first is that of the title, if there is one, with what stands above it.
+///
+/// # Errors
+///
+/// Where a block has no end: its line and what is wrong.
+pub fn sections(text: &str) -> Result<Vec<Section>, Mistake> {
     let lines: Vec<&str> = text.lines().collect();
     let mut sections = vec![Section::default()];
     let mut columns: Option<Vec<String>> = None;
@@ -64,14 +74,16 @@ pub(crate) fn sections(text: &str) -> Result<Vec<Section>, Mistake> {
                 lines: at..at + len,
             });
             at += len + 1;
-        } else if let Some(title) = line.strip_prefix("# ") {
-            section.heading = title.trim().to_owned();
-        } else if line.starts_with("##") {
-            sections.push(Section {
-                heading: line.trim_start_matches('#').trim().to_owned(),
-                line: number + 1,
-                ..Section::default()
-            });
+        } else if line.starts_with("# ") || line.starts_with("##") {
+            let text = line.trim_start_matches('#');
+            let level = line.len() - text.len();
+            if section.level > 0 || level > 1 {
+                sections.push(Section::default());
+            }
+            if let Some(section) = sections.last_mut() {
+                (section.level, section.line) = (level, number + 1);
+                section.heading = text.trim().to_owned();
+            }
         } else if line.starts_with('|') {
             let cells = cells(line);
             let is_rule =

@@ -111,8 +111,8 @@ fn prepared(arguments: &MutantsArguments) -> anyhow::Result<PathBuf> {
     let output = absolute(&arguments.output)?;
     std::fs::create_dir_all(&output).with_context(|| format!("cannot create {}", output.display()))?;
     let path = output.join("prepared.cases");
-    let bytes = prepare::prepare(&suite.cases);
-    std::fs::write(&path, bytes).with_context(|| format!("cannot write {}", path.display()))?;
+    let text = stickler_mutants_judge::prepared::write(&prepare::prepare(&suite.cases))?;
+    std::fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
     // The indices of another suite's killers mean nothing in this one.
     let _ = std::fs::remove_file(path.with_extension("killers"));
     println!("{} cases judge each mutant", suite.cases.len());

@@ -4,21 +4,15 @@
 //! after some hundred cases.
 
 use std::collections::HashMap;
-use stickler_mutants_judge::prepared::{self, PreparedAcceptance, PreparedCase, PreparedExpectation};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedValue};
-use stickler_types::Observation;
+use stickler_mutants_judge::prepared::{PreparedAcceptance, PreparedCase, PreparedExpectation};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue};
+use stickler_types::{Observation, Setting};
 
-/// Returns the file of all cases but those with a code that the reference does not give.
+/// Returns all cases but those with a code that the reference does not give, in the order in which they are judged.
 #[must_use]
-pub fn prepare(cases: &[Case]) -> Vec<u8> {
-    let texts: Vec<CaseTexts> = cases.iter().map(CaseTexts::of).collect();
-    let ordered = order(cases);
-    let ordered: Vec<usize> = ordered
-        .into_iter()
-        .filter(|&index| is_judged(&cases[index]))
-        .collect();
-    let case = |&index: &usize| texts[index].case(&cases[index]);
-    prepared::write(ordered.iter().map(case))
+pub fn prepare(cases: &[Case]) -> Vec<PreparedCase> {
+    let ordered = order(cases).into_iter().map(|index| &cases[index]);
+    ordered.filter(|case| is_judged(case)).map(prepared).collect()
 }
 
 /// Returns whether the reference gives all codes that a case asks for: without them its judgement says too little of a change.
@@ -27,67 +21,46 @@ fn is_judged(case: &Case) -> bool {
     codes.all(|code| code.example_dialect().is_some())
 }
 
-/// The texts of what a case has only as numbers and values.
-struct CaseTexts {
-    key: String,
-    set: Vec<String>,
-    values: Vec<(String, String)>,
+fn prepared(case: &Case) -> PreparedCase {
+    let observe = |observe: &Observation| (observe.name.to_string(), observe.after.unwrap_or_default());
+    let set = |set: &Setting| (set.before, set.name.to_string(), set.value.to_string());
+    PreparedCase {
+        key: case.key(),
+        dialect: case.dialect.as_str().to_owned(),
+        source: case.source.to_string(),
+        scans: case.scans,
+        observe: case.observe.iter().map(observe).collect(),
+        set: case.set.iter().map(set).collect(),
+        expectation: expectation(&case.expectation),
+    }
 }
 
-impl CaseTexts {
-    fn of(case: &Case) -> CaseTexts {
-        let value = |expected: &ExpectedValue| (expected.key().to_string(), expected.value.to_string());
-        CaseTexts {
-            key: case.key(),
-            set: case.set.iter().map(|setting| setting.value.to_string()).collect(),
-            values: case.expectation.values.iter().map(value).collect(),
-        }
-    }
-
-    fn case<'a>(&'a self, case: &'a Case) -> PreparedCase<'a> {
-        let observe = |observe: &'a Observation| (&*observe.name, observe.after.unwrap_or_default());
-        let set = case.set.iter().zip(&self.set);
-        PreparedCase {
-            key: &self.key,
-            dialect: case.dialect.as_str(),
-            source: &case.source,
-            scans: case.scans,
-            observe: case.observe.iter().map(observe).collect(),
-            set: set
-                .map(|(setting, value)| (setting.before, &*setting.name, value.as_str()))
-                .collect(),
-            expectation: self.expectation(&case.expectation),
-        }
-    }
-
-    fn expectation<'a>(&'a self, expectation: &'a Expectation) -> PreparedExpectation<'a> {
-        let lines = |text: &'a stickler_suite::ExpectedText| {
-            let lines = text.lines.iter().map(|line| line.trim());
-            lines.filter(|line| !line.is_empty()).collect()
-        };
-        let reported = |reported: &[stickler_suite::ExpectedDiagnostic]| {
-            let reported = reported.iter().map(|one| (one.line, one.code.as_str()));
-            reported.collect()
-        };
-        PreparedExpectation {
-            acceptance: match expectation.accepted {
-                Acceptance::Required => PreparedAcceptance::Required,
-                Acceptance::Rejected => PreparedAcceptance::Rejected,
-                Acceptance::Observed => PreparedAcceptance::Observed,
-            },
-            diagnostics: reported(&expectation.diagnostics),
-            warnings: reported(&expectation.warnings),
-            clean_lines: expectation.clean_lines.clone(),
-            values: self
-                .values
-                .iter()
-                .map(|(key, value)| (key.as_str(), value.as_str()))
-                .collect(),
-            fault: expectation
-                .fault
-                .map(|expected| (expected.line, expected.fault.as_str())),
-            rendered: expectation.rendered.as_ref().map(lines),
-        }
+fn expectation(expectation: &Expectation) -> PreparedExpectation {
+    let lines = |text: &ExpectedText| {
+        let lines = text.lines.iter().map(|line| line.trim());
+        lines.filter(|line| !line.is_empty()).map(str::to_owned).collect()
+    };
+    let reported = |reported: &[ExpectedDiagnostic]| {
+        let reported = reported
+            .iter()
+            .map(|one| (one.line, one.code.as_str().to_owned()));
+        reported.collect()
+    };
+    let value = |expected: &ExpectedValue| (expected.key().to_string(), expected.value.to_string());
+    PreparedExpectation {
+        acceptance: match expectation.accepted {
+            Acceptance::Required => PreparedAcceptance::Required,
+            Acceptance::Rejected => PreparedAcceptance::Rejected,
+            Acceptance::Observed => PreparedAcceptance::Observed,
+        },
+        diagnostics: reported(&expectation.diagnostics),
+        warnings: reported(&expectation.warnings),
+        clean_lines: expectation.clean_lines.clone(),
+        values: expectation.values.iter().map(value).collect(),
+        fault: expectation
+            .fault
+            .map(|expected| (expected.line, expected.fault.as_str().to_owned())),
+        rendered: expectation.rendered.as_ref().map(lines),
     }
 }
 
@@ -135,14 +108,13 @@ mod tests {
         suite
     });
 
-    static PREPARED: LazyLock<Vec<u8>> = LazyLock::new(|| prepare(&SUITE.cases));
+    static PREPARED: LazyLock<Vec<PreparedCase>> = LazyLock::new(|| prepare(&SUITE.cases));
 
     #[test]
     fn every_case_is_prepared_once_and_each_probe_comes_early() {
-        let prepared = prepared::read(&PREPARED).unwrap();
-        let keys: BTreeSet<&str> = prepared.iter().map(|case| case.key).collect();
+        let keys: BTreeSet<&str> = PREPARED.iter().map(|case| &*case.key).collect();
         assert_eq!(keys.len(), SUITE.cases.len());
-        let probes = prepared
+        let probes = PREPARED
             .iter()
             .map(|case| case.key.split(['(', '@']).next().unwrap());
         let all: BTreeSet<&str> = probes.clone().collect();
@@ -152,15 +124,14 @@ mod tests {
 
     #[test]
     fn the_judge_finds_the_reference_right_and_a_case_with_another_expectation_wrong() {
-        let prepared = prepared::read(&PREPARED).unwrap();
-        for case in prepared.iter().take(3000) {
+        for case in PREPARED.iter().take(3000) {
             assert_eq!(complaint(case), None, "{}", case.key);
             let mut other = case.clone();
             let expectation = &mut other.expectation;
             match (expectation.acceptance, &mut expectation.fault) {
                 (_, Some((line, _))) => *line += 1,
                 (PreparedAcceptance::Required, None) => expectation.acceptance = PreparedAcceptance::Rejected,
-                (PreparedAcceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001")),
+                (PreparedAcceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001".to_owned())),
                 (PreparedAcceptance::Observed, None) => continue,
             }
             assert!(complaint(&other).is_some(), "{}", case.key);

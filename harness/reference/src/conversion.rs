@@ -31,6 +31,7 @@ mod catalogue;
 mod concatenation;
 #[cfg(test)]
 mod exactness;
+mod formatting;
 mod implicit;
 mod listing;
 mod moment;
@@ -42,6 +43,7 @@ mod writing;
 
 pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_function_name, function};
 pub use concatenation::{Concatenation, PARAMETERS, concatenation};
+pub(crate) use formatting::formatted;
 pub(crate) use implicit::literal_warning;
 pub(crate) use implicit::{common_operand, of_operand};
 pub use implicit::{implicit, implicit_warning};

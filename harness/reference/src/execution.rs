@@ -7,6 +7,7 @@ mod duration;
 mod machine;
 mod memory;
 mod operations;
+mod pointers;
 mod power;
 mod standard;
 mod stop;

@@ -9,9 +9,11 @@
 //! integers and bit strings zero-extended, BOOL 0 or 1, REAL and LREAL their IEC 60559 bits, durations, dates
 //! and times of day as signed nanoseconds, characters their code unit.
 
+use crate::addresses::{AddressMap, LayoutId};
 use crate::conversion::{Concatenation, Conversion};
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::TextPositions;
 
 /// Why a run ended early; one of the words of the wire protocol.
 pub use stickler_types::Fault as FaultKind;
@@ -46,6 +48,8 @@ pub struct MachineProgram {
     pub methods: FxHashMap<(u32, u32), RoutineId>,
     /// The type that another one extends, by the numbers of both.
     pub bases: FxHashMap<u32, u32>,
+    /// The variables that have addresses in bytes; none where no reference or pointer is made.
+    pub addresses: AddressMap,
 }
 
 /// A text variable.
@@ -128,6 +132,16 @@ pub enum Instruction {
     /// Pops an address: sets that many cells to zero and their texts to empty.
     Clear(u32),
 
+    /// Pops the address of a cell, pushes the address in bytes of the variable there, which references and pointers hold.
+    AddressOf,
+    /// Pops an address in bytes, pushes that of the cell of the value there, which is of this layout. Where it is not, it faults, as the
+    /// others of these instructions do with `null-dereference` and `invalid-address`.
+    Locate(LayoutId),
+    /// Pops an address in bytes, pushes the plain value there, whatever its bytes are part of.
+    Peek(LayoutId),
+    /// Pops an address in bytes and a plain value; stores it there.
+    Poke(LayoutId),
+
     /// Pops a value, pushes a part of its bits as a BOOL or a bit string.
     Part(Part),
     /// Pops an address and a value; sets that part of the cell's bits, and brings it back to the raw form of its type.
@@ -140,20 +154,27 @@ pub enum Instruction {
 
     /// Converts the top of the stack; text operands and results are on the text stack.
     Convert(Conversion),
+    /// Converts the text on top; pushes the value and above it TRUE, or FALSE where the text spells none.
+    TryConvert(Conversion),
+    /// Pops a value of the type, and a text by which it is formatted; pushes the text that comes of it.
+    Format(ElementaryType),
     /// Pops a date and a time of day; pushes both as one.
     Concatenate(Concatenation),
     /// Pops two values of the type, pushes the result, wrapped to the type's width. Addition and subtraction
     /// also come with durations, and with dates and times, of nanoseconds: 64 bits wrap, and TOD and LTOD are
     /// taken modulo a day. (The difference of two dates is a subtraction of type TIME.)
     Arithmetic(ArithmeticOperator, ElementaryType),
-    /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration.
-    ScaleDuration(ArithmeticOperator, ElementaryType),
+    /// Pops a duration (or for `Divide` first a duration) and a number of the type; pushes the duration. A product with a number that is not finite is
+    /// the least duration where that is so, and otherwise 0.
+    ScaleDuration(ArithmeticOperator, ElementaryType, bool),
     /// Pops base and exponent; pushes base raised to exponent in the base's type.
     Power {
         /// The type of the base and of the result.
         base: ElementaryType,
         /// The type of the exponent.
         exponent: ElementaryType,
+        /// Whether a real zero with a negative exponent faults with division-by-zero.
+        stops: bool,
     },
     /// Pops two values of the type, pushes a BOOL.
     Compare(ComparisonOperator, ElementaryType),
@@ -299,25 +320,43 @@ pub enum StandardFunction {
     Len,
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
-    /// LEFT: pops a text and a number of characters as an i64.
-    Left,
-    /// RIGHT.
-    Right,
-    /// MID: pops a text, a number of characters, and the position of the first one, from 1.
-    Mid,
-    /// INSERT: pops two texts and the number of characters of the first one that stay before the second.
-    Insert,
-    /// DELETE: pops what MID does.
-    Delete,
-    /// REPLACE: pops two texts, and the number and the position of the characters of the first one that the second replaces.
-    Replace,
+    /// LEFT and its kin: pops one or two texts and the numbers of the function, and does what the dialect does where these lie outside the text.
+    Part(TextPart, TextPositions),
     /// FIND: pops two texts; pushes the position of the second in the first as INT, 0 where it is not there or empty.
     Find,
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
     /// a number, or infinite.
     Real(RealFunction),
+    /// The same, which faults with division-by-zero where the result is infinite though the operands are not.
+    RealOrStop(RealFunction),
+    /// CONCAT_DATE and its kin: pops the numbers of a date, a time of day or both as i64, from the year or the hour on; faults with subrange where
+    /// the type does not have them.
+    Compose,
+    /// TO_BIG_ENDIAN, FROM_BIG_ENDIAN: pops a value, pushes that of its bytes in the opposite order.
+    SwapBytes,
+    /// IS_VALID: pops a real number; pushes whether it is a number and not infinite.
+    IsValid,
+    /// IS_VALID_BCD: pops a bit string; pushes whether each four bits of it are a decimal digit.
+    IsValidBcd,
     /// GT and its kin: pops `count` values, pushes a BOOL: whether each of them compares so with the one behind it.
     InOrder(ComparisonOperator),
+}
+
+/// The standard functions of parts of texts.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum TextPart {
+    /// LEFT: of a text and a number of characters.
+    Left,
+    /// RIGHT.
+    Right,
+    /// MID: of a text, a number of characters, and the position of the first one, from 1.
+    Mid,
+    /// INSERT: of two texts and the number of characters of the first one that stay before the second.
+    Insert,
+    /// DELETE: of what MID is.
+    Delete,
+    /// REPLACE: of two texts, and the number and the position of the characters of the first one that the second replaces.
+    Replace,
 }
 
 /// The standard functions of real numbers.
@@ -348,9 +387,13 @@ pub enum RealFunction {
 }
 
 impl StandardFunction {
-    /// Returns whether the function gives an INT, whatever its inputs are.
-    pub(crate) const fn counts(self) -> bool {
-        matches!(self, StandardFunction::Len | StandardFunction::Find)
+    /// Returns the type of the result where it does not depend on the inputs.
+    pub(crate) const fn own_result(self) -> Option<ElementaryType> {
+        match self {
+            StandardFunction::Len | StandardFunction::Find => Some(ElementaryType::Int),
+            StandardFunction::IsValid | StandardFunction::IsValidBcd => Some(ElementaryType::Bool),
+            _ => None,
+        }
     }
 
     /// Returns whether the function shifts or rotates bits.

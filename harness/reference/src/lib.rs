@@ -29,6 +29,7 @@
 //!
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
+pub mod addresses;
 mod api;
 pub mod conversion;
 pub mod execution;

@@ -1,21 +1,37 @@
-//! The standard function blocks, written in Structured Text in the folder `library`: those that a program uses and does not declare are
-//! compiled with it.
+//! The standard function blocks, and the functions of dates and times of day, written in Structured Text in the folder `library`: those that a
+//! program uses and does not declare are compiled with it.
 //!
-//! Basis: iec-61131-3: Tables 43 to 46.
+//! Basis: iec-61131-3: Tables 35, 36 and 43 to 46.
 
 use std::collections::BTreeSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_types::{Code, Dialect, ElementaryType};
 
-const TEXTS: [&str; 4] = [
+const TEXTS: [&str; 5] = [
     include_str!("../library/bistable.st"),
     include_str!("../library/edge.st"),
     include_str!("../library/counter.st"),
     include_str!("../library/timer.st"),
+    TIME,
 ];
+
+/// The functions of dates and times of day.
+const TIME: &str = include_str!("../library/time.st");
 
 /// The blocks of systems whose inputs are called SET and RESET.
 const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
+
+/// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented: a name a line.
+///
+/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
+const NOT_IMPLEMENTED: &str = include_str!("../library/not_implemented.txt");
+
+/// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
+pub(crate) fn is_not_implemented(name: &str) -> bool {
+    NOT_IMPLEMENTED
+        .lines()
+        .any(|known| known.eq_ignore_ascii_case(name))
+}
 
 /// The types of counters, of which the first one's are written in `library`.
 const COUNTED: [ElementaryType; 5] = [
@@ -32,25 +48,31 @@ pub(crate) const CLOCKS: [(ElementaryType, &str); 2] = [
     (ElementaryType::Ltime, "stickler_long_clock"),
 ];
 
-/// Returns a source text with those standard function blocks behind it for whose names diagnostics say that no such type is declared;
-/// `None` where there are none.
+/// Returns a source text with those standard function blocks and functions behind it for whose names diagnostics say that no such type or
+/// function is declared; `None` where there are none.
 pub(crate) fn with_blocks(
     source: &str,
     diagnostics: &[SpannedDiagnostic],
     dialect: &Dialect,
 ) -> Option<String> {
-    use Code::{ArrayElementTypeNotDeclared, StructFieldTypeNotDeclared, UndeclaredUnknownType};
+    use Code::{
+        ArrayElementTypeNotDeclared, FunctionCallUndeclared, StructFieldTypeNotDeclared,
+        UndeclaredUnknownType,
+    };
     let undeclared = diagnostics.iter().filter(|one| {
         matches!(
             one.code,
-            UndeclaredUnknownType | ArrayElementTypeNotDeclared | StructFieldTypeNotDeclared
+            UndeclaredUnknownType
+                | ArrayElementTypeNotDeclared
+                | StructFieldTypeNotDeclared
+                | FunctionCallUndeclared
         )
     });
     let named = undeclared.map(|one| one.span.text(source).to_ascii_uppercase());
     let named: BTreeSet<String> = named.collect();
     let own = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
     let own = |name: &String| own.and_then(|text| cut(text, name)).map(str::to_owned);
-    let block = |name: &String| own(name).or_else(|| block(name));
+    let block = |name: &String| own(name).or_else(|| block(name, dialect));
     let blocks: Vec<String> = named.iter().filter_map(block).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
         let mut blocks = blocks.iter();
@@ -61,8 +83,17 @@ pub(crate) fn with_blocks(
     (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
 }
 
-/// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`; `None` for other names.
-fn block(name: &str) -> Option<String> {
+/// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`, as a dialect has it; `None` for
+/// other names.
+fn block(name: &str, dialect: &Dialect) -> Option<String> {
+    let own = |text: &str| match name {
+        "F_TRIG" if !dialect.first_call_falls => text.replace("M : BOOL;", "M : BOOL := TRUE;"),
+        _ if dialect.counters_stop_at_preset => {
+            let text = text.replace("CV < INT#32767", "CV < PV");
+            text.replace("CV > INT#-32768", "CV > INT#0")
+        }
+        _ => text.to_owned(),
+    };
     let typed = name.rsplit_once('_').and_then(|(block, ty)| {
         let ty = ElementaryType::from_name(ty)?;
         Some((block, ty))
@@ -70,7 +101,7 @@ fn block(name: &str) -> Option<String> {
     match typed {
         Some((block, ty)) if COUNTED.contains(&ty) && block.starts_with("CT") => {
             let (least, greatest) = ty.integer_range()?;
-            let text = written(block)?.replace("INT#-32768", "{least}");
+            let text = own(written(block)?).replace("INT#-32768", "{least}");
             let text = text.replace("INT#32767", "{greatest}").replace("INT", ty.name());
             let text = text.replace("{least}", &format!("{}#{least}", ty.name()));
             let text = text.replace("{greatest}", &format!("{}#{greatest}", ty.name()));
@@ -81,18 +112,40 @@ fn block(name: &str) -> Option<String> {
             let text = written(block)?.replace("TIME", ty.name());
             Some(text.replace(CLOCKS[0].1, clock).replacen(block, name, 1))
         }
-        _ => written(name).map(str::to_owned),
+        _ => written(name).map(own).or_else(|| long_function(name)),
     }
 }
 
-/// Returns the text of a function block that is written in `library`.
+/// Returns the text of a function of the long types by its name, such as `ADD_LTOD_LTIME`.
+fn long_function(name: &str) -> Option<String> {
+    let short = |word: &str| match word {
+        "LTIME" | "LDATE" | "LTOD" | "LDT" => word[1..].to_owned(),
+        word => word.to_owned(),
+    };
+    let words: Vec<String> = name.split('_').map(short).collect();
+    let text = written(&words.join("_"))?.to_owned();
+    let types = ["TIME", "DATE", "TOD", "DT"].into_iter();
+    Some(types.fold(text, |text, ty| text.replace(ty, &format!("L{ty}"))))
+}
+
+/// Returns the names of the functions that are written in `library`.
+pub(crate) fn functions() -> impl Iterator<Item = &'static str> {
+    let heads = TIME.lines().filter_map(|line| line.strip_prefix("FUNCTION "));
+    heads.filter_map(|head| head.split(' ').next())
+}
+
+/// Returns the text of a function block or function that is written in `library`.
 fn written(name: &str) -> Option<&'static str> {
     TEXTS.iter().find_map(|text| cut(text, name))
 }
 
-/// Returns the function block of a name out of a text.
+/// Returns the function block or function of a name out of a text.
 fn cut<'t>(text: &'t str, name: &str) -> Option<&'t str> {
-    const END: &str = "END_FUNCTION_BLOCK";
-    let behind = &text[text.find(&format!("FUNCTION_BLOCK {name}\n"))?..];
-    behind.find(END).map(|end| &behind[..end + END.len()])
+    let heads = ["FUNCTION_BLOCK", "FUNCTION"].into_iter();
+    heads
+        .flat_map(|unit| ["\n", " :"].map(|behind| (unit, format!("{unit} {name}{behind}"))))
+        .find_map(|(unit, head)| {
+            let (behind, end) = (&text[text.find(&head)?..], format!("END_{unit}"));
+            behind.find(&end).map(|at| &behind[..at + end.len()])
+        })
 }

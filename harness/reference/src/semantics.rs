@@ -7,6 +7,7 @@
 //! Architecture Invariant: nothing here knows how values are computed; it asks `conversion` which types convert,
 //! and gives the machine instructions.
 
+mod address_layouts;
 mod arguments;
 mod calls;
 mod chains;
@@ -50,6 +51,8 @@ mod order;
 mod overrides;
 mod parameters;
 mod places;
+mod pointer_types;
+mod pointers;
 mod promotion;
 mod recursion;
 mod reporter;
@@ -66,6 +69,7 @@ mod trace;
 mod types;
 mod variables;
 
+pub use calls::is_standard_function;
 pub use check::{check, check_traced};
 pub use observation::{CheckedProgram, ObservedType, ObservedVariable};
 pub use trace::{TracedUse, UseKind};

@@ -122,13 +122,10 @@ impl Claims {
     /// Adds the result of a case.
     pub fn take(&mut self, event: &CaseEvent) {
         let bases = entry(&mut self.engines, &event.engine);
-        if !bases.contains_key(&event.basis) {
-            bases.insert(event.basis.clone(), Standing::default());
+        match bases.get_mut(&event.basis) {
+            Some(standing) => standing.count(event),
+            None => bases.entry(event.basis.clone()).or_default().count(event),
         }
-        bases
-            .get_mut(&event.basis)
-            .expect("it is there or was just put there")
-            .count(event);
     }
 
     /// Returns every claim, sorted by engine, document and section.

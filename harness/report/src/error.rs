@@ -1,6 +1,5 @@
 //! The errors of writing a report and of reading an event log.
 
-use crate::events::Completeness;
 use std::io;
 use std::path::{Path, PathBuf};
 use stickler_run::FORMAT;
@@ -105,8 +104,11 @@ pub enum LogError {
         format: u32,
     },
     /// The log has no footer.
-    #[error("{0}")]
-    Truncated(Completeness),
+    #[error("the run was cut short after {cases} cases: its event log has no footer")]
+    Truncated {
+        /// The number of cases in the log.
+        cases: u64,
+    },
     /// Lines of the log contradict each other, though each is as the schema says.
     #[error("line {line} of the event log: expected {expected}, found {found}")]
     Contradiction {

@@ -11,7 +11,6 @@ use crate::{LogError, ReportError};
 pub(crate) use record::LogLine;
 use record::{CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -51,27 +50,23 @@ impl Encoder {
     /// Adds the lines of an event, and returns the group of a case.
     fn encode(&mut self, event: &Event) -> serde_json::Result<Option<GroupNumber>> {
         match event {
-            Event::Header(header) => self.line(&RunLine::Header(header))?,
-            Event::Cause(cause) => self.line(&RunLine::Cause(cause))?,
-            Event::Footer(footer) => self.line(&RunLine::Footer(footer))?,
+            Event::Header(header) => push_line(&mut self.lines, &RunLine::Header(header))?,
+            Event::Cause(cause) => push_line(&mut self.lines, &RunLine::Cause(cause))?,
+            Event::Footer(footer) => push_line(&mut self.lines, &RunLine::Footer(footer))?,
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
                 if is_new {
-                    let group = &self.groups.all()[number];
-                    push_line(&mut self.lines, &RunLine::Group(GroupLine::new(number, group)))?;
+                    let group = GroupLine::new(number, self.groups.of_number(number));
+                    push_line(&mut self.lines, &RunLine::Group(group))?;
                 }
                 match PassedLine::of(case, number) {
-                    Some(passed) => self.line(&passed)?,
-                    None => self.line(&CaseObject::new(case, number))?,
+                    Some(passed) => push_line(&mut self.lines, &passed)?,
+                    None => push_line(&mut self.lines, &CaseObject::new(case, number))?,
                 }
                 return Ok(Some(number));
             }
         }
         Ok(None)
-    }
-
-    fn line(&mut self, record: &impl Serialize) -> serde_json::Result<()> {
-        push_line(&mut self.lines, record)
     }
 }
 
@@ -139,33 +134,6 @@ impl EventLog {
     }
 }
 
-/// Whether a log covers a whole run.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[must_use = "a truncated run must be called truncated"]
-pub enum Completeness {
-    /// The log has a footer.
-    Complete,
-    /// The log has no footer: the run was cut short after so many cases.
-    Truncated {
-        /// The number of cases in the log.
-        cases: u64,
-    },
-}
-
-impl fmt::Display for Completeness {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Completeness::Complete => f.write_str("the run is complete"),
-            Completeness::Truncated { cases } => {
-                write!(
-                    f,
-                    "the run was cut short after {cases} cases: its event log has no footer"
-                )
-            }
-        }
-    }
-}
-
 /// Returns the path of the log at a path that a person names: the file itself, or the log in a folder of reports.
 pub fn locate(path: &Path) -> PathBuf {
     if path.is_dir() {
@@ -225,22 +193,14 @@ impl<R: BufRead> Reader<R> {
         }
     }
 
-    /// Returns whether the events that were read cover a whole run; meaningful only at the end.
-    pub const fn completeness(&self) -> Completeness {
-        match self.complete {
-            true => Completeness::Complete,
-            false => Completeness::Truncated { cases: self.cases },
-        }
-    }
-
     /// Checks that the events that were read cover a whole run; meaningful only at the end.
     ///
     /// # Errors
     /// [`LogError::Truncated`] where they do not.
     pub const fn check_complete(&self) -> Result<(), LogError> {
-        match self.completeness() {
-            Completeness::Complete => Ok(()),
-            truncated @ Completeness::Truncated { .. } => Err(LogError::Truncated(truncated)),
+        match self.complete {
+            true => Ok(()),
+            false => Err(LogError::Truncated { cases: self.cases }),
         }
     }
 
@@ -357,18 +317,6 @@ pub fn recognize(text: &[u8]) -> Option<String> {
 #[derive(Deserialize)]
 struct FormatVersion {
     format: u32,
-}
-
-/// Reads a log and passes each event on, in order.
-///
-/// # Errors
-/// [`LogError`] where the input is no event log, or a line in its middle is no event.
-pub fn read(input: impl BufRead, sink: &mut dyn FnMut(Event)) -> Result<Completeness, LogError> {
-    let mut reader = Reader::new(input);
-    for event in &mut reader {
-        sink(event?);
-    }
-    Ok(reader.completeness())
 }
 
 /// Returns the text of a log.

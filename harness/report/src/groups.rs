@@ -1,8 +1,8 @@
 //! Groups of cases with common properties, which a report writes once per group.
 
 use crate::observations::probe;
+use indexmap::IndexSet;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
 use stickler_run::{CaseEvent, Grade};
 
 /// The common properties of the cases of a group.
@@ -74,8 +74,7 @@ const MAX_RECENT: usize = 16;
 /// The groups of a run, numbered in the order of their first cases.
 #[derive(Default)]
 pub(crate) struct Groups {
-    all: Vec<Group>,
-    numbers: HashMap<Group, GroupNumber>,
+    all: IndexSet<Group>,
     /// The groups of the latest cases, the last one first.
     recent: Vec<GroupNumber>,
 }
@@ -91,20 +90,20 @@ impl Groups {
             self.recent[..=place].rotate_right(1);
             return (self.recent[0], false);
         }
-        let group = Group::of(case);
-        let next = self.all.len();
-        let number = *self.numbers.entry(group.clone()).or_insert(next);
-        if number == next {
-            self.all.push(group);
-        }
+        let (number, is_new) = self.all.insert_full(Group::of(case));
         self.recent.insert(0, number);
         self.recent.truncate(MAX_RECENT);
-        (number, number == next)
+        (number, is_new)
+    }
+
+    /// Returns the group of this number.
+    pub(crate) fn of_number(&self, number: GroupNumber) -> &Group {
+        &self.all[number]
     }
 
     /// Returns all groups in the order of their numbers.
-    pub(crate) fn all(&self) -> &[Group] {
-        &self.all
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Group> {
+        self.all.iter()
     }
 }
 
@@ -131,7 +130,7 @@ mod tests {
         ];
         let numbers = numbers.map(|case| groups.number(&case));
         assert_eq!(numbers, [(0, true), (0, false), (1, true), (2, true), (0, false)]);
-        assert_eq!(groups.all()[1].id, "widening/a::q");
+        assert_eq!(groups.of_number(1).id, "widening/a::q");
         assert_eq!(Group::arguments("a::p(1,(2))"), "(1,(2))");
         assert_eq!(Group::arguments("a"), "");
     }

@@ -16,20 +16,21 @@ use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
 use crate::{ReportError, engine};
-use quick_junit::Report;
-use std::collections::{BTreeMap, HashMap};
+use indexmap::IndexMap;
+use quick_junit::{Report, TestCase, TestCaseStatus, TestSuite};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_run::{CaseEvent, EngineHeader, Event, Verdict};
-use suite::{JunitSuite, JunitTest, Problem, TestResult};
+use suite::{add, error, failure, problem, suite};
 use tally::ProbeTally;
 
 /// The tests of a run, gathered because the file separates test suites whose cases alternate in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
-    suites: BTreeMap<String, JunitSuite>,
+    suites: BTreeMap<String, TestSuite>,
     groups: Vec<GroupTally>,
     engines: Vec<EngineHeader>,
 }
@@ -78,39 +79,31 @@ impl Junit {
             _ => {
                 let name = suite_name(&case.engine, &case.dialect, &case.area);
                 let test = case::test(case, engine::named(&self.engines, &case.engine));
-                suite_of(&mut self.suites, name).add(test);
+                add(suite_of(&mut self.suites, name), test, case.duration_us);
             }
         }
     }
 
     /// Adds the tests that cover several cases: one for each probe and dialect, even where its cases are of several groups.
     fn add_tallies(&mut self, groups: &Groups) {
-        let mut tallies: Vec<(&Group, GroupTally)> = Vec::new();
-        let mut places = HashMap::new();
-        for (group, tally) in groups.all().iter().zip(std::mem::take(&mut self.groups)) {
-            let place = *places
-                .entry((&group.id, &group.dialect, &group.engine))
-                .or_insert(tallies.len());
-            match tallies.get_mut(place) {
-                Some((_, sum)) => {
-                    sum.passed.add(tally.passed);
-                    sum.unsupported.add(tally.unsupported);
-                    sum.waiting.add(tally.waiting);
-                }
-                None => tallies.push((group, tally)),
-            }
+        let mut tallies: IndexMap<_, (&Group, GroupTally)> = IndexMap::new();
+        for (group, tally) in groups.all().zip(std::mem::take(&mut self.groups)) {
+            let probe = (&group.id, &group.dialect, &group.engine);
+            let (_, sum) = tallies
+                .entry(probe)
+                .or_insert_with(|| (group, GroupTally::default()));
+            sum.passed.add(tally.passed);
+            sum.unsupported.add(tally.unsupported);
+            sum.waiting.add(tally.waiting);
         }
-        for (group, tally) in &tallies {
+        for (group, tally) in tallies.values() {
             let suite = suite_of(
                 &mut self.suites,
                 suite_name(&group.engine, &group.dialect, &group.area),
             );
-            let tests = [
-                tally.passed.tests(group, Verdict::Pass),
-                tally.unsupported.tests(group, Verdict::Unsupported),
-                tally.waiting.tests(group, Verdict::Waiting),
-            ];
-            tests.into_iter().flatten().for_each(|test| suite.add(test));
+            tally.passed.add_test(suite, group, Verdict::Pass);
+            tally.unsupported.add_test(suite, group, Verdict::Unsupported);
+            tally.waiting.add_test(suite, group, Verdict::Waiting);
         }
     }
 
@@ -126,11 +119,11 @@ impl Junit {
         let path = self.file.path().to_owned();
         let mut report = Report::new("stickler");
         report.set_time(Duration::from_millis(footer.duration_ms));
-        report.add_test_suite(claims(overview).finish());
-        report.add_test_suites(features(overview).map(JunitSuite::finish));
-        report.add_test_suites(broken_files(overview).map(JunitSuite::finish));
-        report.add_test_suites(outdated_entries(overview).map(JunitSuite::finish));
-        report.add_test_suites(self.suites.into_values().map(JunitSuite::finish));
+        report.add_test_suite(claims(overview));
+        report.add_test_suites(features(overview));
+        report.add_test_suites(broken_files(overview));
+        report.add_test_suites(outdated_entries(overview));
+        report.add_test_suites(self.suites.into_values());
         report
             .serialize(&mut self.file)
             .map_err(io::Error::other)
@@ -144,15 +137,13 @@ fn suite_name(engine: &str, dialect: &str, area: &str) -> String {
     format!("{engine}.{dialect}.{area}")
 }
 
-fn suite_of(suites: &mut BTreeMap<String, JunitSuite>, name: String) -> &mut JunitSuite {
-    suites
-        .entry(name)
-        .or_insert_with_key(|name| JunitSuite::new(name))
+fn suite_of(suites: &mut BTreeMap<String, TestSuite>, name: String) -> &mut TestSuite {
+    suites.entry(name).or_insert_with_key(|name| suite(name))
 }
 
 /// Returns the test suite of claims. A claim that fails only where a baseline expects it is skipped, as its cases are.
-fn claims(overview: &Overview) -> JunitSuite {
-    let mut suite = JunitSuite::new("claims");
+fn claims(overview: &Overview) -> TestSuite {
+    let mut suite = suite("claims");
     for claim in overview.claims.iter() {
         let standing = claim.standing;
         let mut output = format!(
@@ -164,86 +155,55 @@ fn claims(overview: &Overview) -> JunitSuite {
             let _ = write!(output, "\n{}: {}", source.kind, source.address_of(claim.section));
         }
         let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
-        let problem = match (standing.failed, standing.unexpected()) {
-            (0, _) => None,
-            (_, 0) => Some((TestResult::Skipped, format!("{fail}, as the baseline expects"))),
-            _ => Some((TestResult::Failure, fail)),
+        let status = match (standing.failed, standing.unexpected()) {
+            (0, _) => TestCaseStatus::success(),
+            (_, 0) => {
+                let message = format!("{fail}, as the baseline expects");
+                problem(TestCaseStatus::skipped(), "claim", &message, &output)
+            }
+            _ => problem(failure(), "claim", &fail, &output),
         };
-        let name = claim_name(&claim, overview.totals.len() > 1);
-        suite.add(JunitTest {
-            name: &name,
-            problem: problem.map(|(kind, message)| Problem {
-                kind,
-                type_name: "claim",
-                message,
-                text: output.clone(),
-            }),
-            output,
-            ..JunitTest::default()
-        });
+        let mut test = TestCase::new(claim_name(&claim, overview.totals.len() > 1), status);
+        test.set_system_out(output);
+        add(&mut suite, test, 0);
     }
     suite
 }
 
 /// Returns the test suite of the features that engines lack, where there are any; those that nobody promises are skipped.
-fn features(overview: &Overview) -> Option<JunitSuite> {
-    let mut suite = (!overview.lacks.is_empty()).then(|| JunitSuite::new("features"))?;
+fn features(overview: &Overview) -> Option<TestSuite> {
+    let mut suite = (!overview.lacks.is_empty()).then(|| suite("features"))?;
     for lack in &overview.lacks {
-        let Unexpected { title, text, .. } = Unexpected::of_lack(lack, overview);
-        let kind = match lack.is_failing_lack() {
-            true => TestResult::Failure,
-            false => TestResult::Skipped,
+        let Unexpected { title, text, .. } = Unexpected::of_cause(lack, overview);
+        let status = match lack.is_failing_lack() {
+            true => failure(),
+            false => TestCaseStatus::skipped(),
         };
-        let problem = Problem {
-            kind,
-            type_name: "feature",
-            message: title,
-            text,
-        };
-        suite.add(JunitTest {
-            name: &format!("{}: {}", lack.engine, lack.construct),
-            problem: Some(problem),
-            ..JunitTest::default()
-        });
+        let status = problem(status, "feature", &title, &text);
+        let name = format!("{}: {}", lack.engine, lack.construct);
+        add(&mut suite, TestCase::new(name, status), 0);
     }
     Some(suite)
 }
 
 /// Returns the test suite of the mistakes in case files, where there are any: a CI service must not show a clean run.
-fn broken_files(overview: &Overview) -> Option<JunitSuite> {
+fn broken_files(overview: &Overview) -> Option<TestSuite> {
     let broken = overview.header.as_ref().map(|header| &header.broken_files)?;
-    let mut suite = (!broken.is_empty()).then(|| JunitSuite::new("case-files"))?;
+    let mut suite = (!broken.is_empty()).then(|| suite("case-files"))?;
     for mistake in broken {
-        let problem = Problem {
-            kind: TestResult::Error,
-            type_name: "case-file",
-            message: "some cases were not run".to_owned(),
-            text: mistake.clone(),
-        };
-        suite.add(JunitTest {
-            name: mistake,
-            problem: Some(problem),
-            ..JunitTest::default()
-        });
+        let status = problem(error(), "case-file", "some cases were not run", mistake);
+        add(&mut suite, TestCase::new(&**mistake, status), 0);
     }
     Some(suite)
 }
 
 /// Returns the test suite of the baseline entries that are out of date, where there are any: each of them fails.
-fn outdated_entries(overview: &Overview) -> Option<JunitSuite> {
-    let mut suite = overview.outdated().next().map(|_| JunitSuite::new("baselines"))?;
+fn outdated_entries(overview: &Overview) -> Option<TestSuite> {
+    let mut suite = overview.outdated().next().map(|_| suite("baselines"))?;
     for entry in overview.outdated() {
         let text = outdated(entry);
-        suite.add(JunitTest {
-            name: &entry.at,
-            problem: Some(Problem {
-                kind: TestResult::Failure,
-                type_name: "baseline",
-                message: text.clone(),
-                text,
-            }),
-            ..JunitTest::default()
-        });
+        let status = problem(failure(), "baseline", &text, &text);
+        add(&mut suite, TestCase::new(&*entry.at, status), 0);
     }
     Some(suite)
 }

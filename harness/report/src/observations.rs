@@ -1,7 +1,8 @@
 //! Compares what engines do where no document states what they must do. Observations are recorded, never judged.
 
+use indexmap::IndexMap;
 use serde::Serialize;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use stickler_run::CaseEvent;
 use stickler_types::WordTable;
 
@@ -58,51 +59,46 @@ impl Observations {
 
     /// Returns the disagreements between engines, in the order of ids. `engines` is the order in which engines are named.
     pub fn disagreements(&self, engines: &[&str]) -> Vec<Disagreement<'_>> {
-        let mut disagreements: Vec<Disagreement<'_>> = Vec::new();
-        let mut places: HashMap<(&str, u32, Vec<Vec<String>>), usize> = HashMap::new();
-        for ((id, name), seen) in &self.seen {
-            if !self.disagree(seen) {
-                continue;
-            }
+        let mut disagreements: IndexMap<_, Disagreement<'_>> = IndexMap::new();
+        for ((id, name), seen) in self.seen.iter().filter(|(_, seen)| self.disagree(seen)) {
             let values = self.values(seen, engines);
-            let who = values.iter().map(|(_, who)| who.clone()).collect();
-            let place = *places
-                .entry((probe(id), *name, who))
-                .or_insert(disagreements.len());
-            match disagreements.get_mut(place) {
-                Some(alike) => alike.cases += 1,
-                None => disagreements.push(Disagreement {
-                    id,
-                    name: self.words.word(*name),
-                    values,
-                    cases: 1,
-                }),
-            }
+            let who: Vec<Vec<String>> = values.iter().map(|(_, who)| who.clone()).collect();
+            let alike = disagreements.entry((probe(id), *name, who));
+            alike
+                .or_insert_with(|| self.disagreement(id, *name, values))
+                .cases += 1;
         }
-        disagreements
+        disagreements.into_values().collect()
+    }
+
+    /// Returns a disagreement of no case yet.
+    fn disagreement<'o>(
+        &'o self,
+        id: &'o str,
+        name: u32,
+        values: Vec<(&'o str, Vec<String>)>,
+    ) -> Disagreement<'o> {
+        Disagreement {
+            id,
+            name: self.words.word(name),
+            values,
+            cases: 0,
+        }
     }
 
     /// Returns the observations of a run of one engine: the cases of a probe in which it did the same, in the order of ids.
     pub fn of_one(&self, engine: &str) -> Vec<Disagreement<'_>> {
-        let mut lists: Vec<Disagreement<'_>> = Vec::new();
-        let mut places: HashMap<(&str, u32, u32), usize> = HashMap::new();
+        let mut lists: IndexMap<_, Disagreement<'_>> = IndexMap::new();
         for ((id, name), seen) in &self.seen {
             for seen in seen {
-                let place = *places
-                    .entry((probe(id), *name, seen.value))
-                    .or_insert(lists.len());
-                match lists.get_mut(place) {
-                    Some(alike) => alike.cases += 1,
-                    None => lists.push(Disagreement {
-                        id,
-                        name: self.words.word(*name),
-                        values: vec![(self.words.word(seen.value), vec![engine.to_owned()])],
-                        cases: 1,
-                    }),
-                }
+                let values = || vec![(self.words.word(seen.value), vec![engine.to_owned()])];
+                let alike = lists.entry((probe(id), *name, seen.value));
+                alike
+                    .or_insert_with(|| self.disagreement(id, *name, values()))
+                    .cases += 1;
             }
         }
-        lists
+        lists.into_values().collect()
     }
 
     /// Returns whether two engines disagree: in a dialect that both support, or, where they share none, in all of their

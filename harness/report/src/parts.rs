@@ -6,9 +6,9 @@
 mod belonging;
 
 use crate::LogError;
-use crate::events::{Completeness, Reader};
+use crate::events::Reader;
 use std::io::BufRead;
-use stickler_run::{CaseEvent, Cause, DefinedHeader, EngineTotals, Event, Footer, Header};
+use stickler_run::{CaseEvent, Cause, EngineTotals, Event, Footer, Header};
 use stickler_workers::Shard;
 
 /// The event log of one part of a run, with the name that messages use for it.
@@ -32,11 +32,11 @@ pub fn merge<R: BufRead>(parts: Vec<RunPart<R>>, command: &str, sink: &mut dyn F
     let Some(header) = whole else {
         return missing;
     };
-    let cases = streams.iter().map(|stream| stream.promised).sum();
-    let started = streams.iter().map(|stream| stream.started.as_str()).min();
+    let cases = streams.iter().map(|stream| stream.header.cases).sum();
+    let started = streams.iter().map(|stream| stream.header.started.as_str()).min();
     let mut defined = header.defined.clone();
     for dialect in &mut defined {
-        let of_parts = streams.iter().flat_map(|stream| &stream.defined);
+        let of_parts = streams.iter().flat_map(|stream| &stream.header.defined);
         let same = of_parts.filter(|other| other.name == dialect.name);
         dialect.left_out = same.map(|other| other.left_out).sum();
     }
@@ -123,9 +123,7 @@ struct PartReader<R> {
     name: String,
     reader: Reader<R>,
     shard: Shard,
-    promised: u64,
-    started: String,
-    defined: Vec<DefinedHeader>,
+    header: Header,
     /// The next case of the part.
     case: Option<CaseEvent>,
     /// The causes that the part found.
@@ -148,9 +146,7 @@ impl<R: BufRead> PartReader<R> {
             name,
             reader,
             shard,
-            promised: header.cases,
-            started: header.started,
-            defined: header.defined,
+            header,
             case: None,
             causes: Vec::new(),
             footer: None,
@@ -182,9 +178,8 @@ impl<R: BufRead> PartReader<R> {
                     return;
                 }
                 None => {
-                    let completeness = self.reader.completeness();
-                    if completeness != Completeness::Complete && self.trouble.is_none() {
-                        self.trouble = Some(format!("{name}: {completeness}"));
+                    if let Err(truncated) = self.reader.check_complete() {
+                        self.trouble.get_or_insert_with(|| format!("{name}: {truncated}"));
                     }
                     return;
                 }

@@ -62,8 +62,6 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         dialect: "ironplc-ed2".to_owned(),
         engine: "reference".to_owned(),
         verdict,
-        open: false,
-        grade: None,
         basis: "ironplc-type-conversions: Integer widening".to_owned(),
         file: "conformance-cases/widening/integer.toml".to_owned(),
         line,
@@ -73,10 +71,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         expected,
         got,
         duration_us: 12,
-        observations: Vec::new(),
-        program: None,
-        question: None,
-        baseline: None,
+        ..CaseEvent::default()
     }
 }
 
@@ -206,13 +201,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
             commands: BTreeMap::from([("ironplc-ed2".to_owned(), "ironplcc check program.st".to_owned())]),
         }],
         cases: cases.len() as u64,
-        filters: Vec::new(),
-        dialects: Vec::new(),
-        shard: None,
-        broken_files: Vec::new(),
-        baselines: Vec::new(),
-        defined: Vec::new(),
-        sources: Vec::new(),
+        ..Header::default()
     };
     let engines = vec![EngineTotals {
         name: "reference".to_owned(),

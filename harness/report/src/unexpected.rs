@@ -35,49 +35,40 @@ impl Unexpected {
         let (small, unreduced) = overview.unexpected_causes();
         let cases = overview.unexplained_failures();
         let lacks = overview.lacks.iter().filter(|lack| lack.is_failing_lack());
-        let lacks = lacks.map(|lack| Unexpected::of_lack(lack, overview));
-        let causes = small.into_iter().chain(unreduced);
-        lacks
-            .chain(causes.map(|cause| Unexpected::of_cause(cause, overview)))
+        let causes = lacks.chain(small).chain(unreduced);
+        causes
+            .map(|cause| Unexpected::of_cause(cause, overview))
             .chain(cases.map(|case| of_case(case, overview)))
     }
 
-    fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
-        let cases = match cause.number() {
-            1 => "1 case".to_owned(),
-            _ => format!("{} cases", cause.cases_shown()),
+    /// Returns the message about a cause of failing cases, or about a feature that an engine lacks.
+    pub(crate) fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+        let cases = match (cause.is_lack(), cause.number()) {
+            (true, number) => counted(number, "case waits for it", "cases wait for it"),
+            (false, 1) => "1 case".to_owned(),
+            (false, _) => format!("{} cases", cause.cases_shown()),
         };
-        of_cause(cause, &cases, overview)
-    }
-
-    /// Returns the message about a feature that an engine lacks.
-    pub(crate) fn of_lack(lack: &Cause, overview: &Overview) -> Unexpected {
-        let waiting = counted(lack.number(), "case waits for it", "cases wait for it");
-        of_cause(lack, &waiting, overview)
-    }
-}
-
-fn of_cause(cause: &Cause, cases: &str, overview: &Overview) -> Unexpected {
-    let shown = &cause.shown;
-    let rerun = overview
-        .engine(&cause.engine)
-        .filter(|_| !shown.case.is_empty())
-        .map(|engine| engine.rerun(&shown.case, &shown.dialect))
-        .unwrap_or_default();
-    Unexpected {
-        basis: shown.basis.clone(),
-        file: shown.file.clone(),
-        line: shown.line,
-        title: title(&cause.engine, &format!("{} ({cases})", cause.headline())),
-        text: text(
-            &shown.basis,
-            &Fact::text(&shown.expected),
-            &Fact::text(&shown.got),
-            &shown.program,
-            &rerun,
-        ),
-        key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
-        cases: cause.unexpected().max(1),
+        let shown = &cause.shown;
+        let rerun = overview
+            .engine(&cause.engine)
+            .filter(|_| !shown.case.is_empty())
+            .map(|engine| engine.rerun(&shown.case, &shown.dialect))
+            .unwrap_or_default();
+        Unexpected {
+            basis: shown.basis.clone(),
+            file: shown.file.clone(),
+            line: shown.line,
+            title: title(&cause.engine, &format!("{} ({cases})", cause.headline())),
+            text: text(
+                &shown.basis,
+                &Fact::text(&shown.expected),
+                &Fact::text(&shown.got),
+                &shown.program,
+                &rerun,
+            ),
+            key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
+            cases: cause.unexpected().max(1),
+        }
     }
 }
 

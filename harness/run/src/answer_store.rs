@@ -6,11 +6,9 @@
 
 use crate::answers::{Answers, ask};
 use crate::pack::{packs, settle};
-use serde::{Deserialize, Serialize};
-use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
+use stickler_engines::{Digest, EngineError, EngineSession, Outcome};
 use stickler_suite::Case;
 use stickler_types::Dialect;
-use stickler_types::{Fault, Value};
 
 /// A store of one engine's answers from earlier runs. The implementation keeps the answers of engines apart that differ in
 /// anything.
@@ -108,82 +106,23 @@ pub fn question(case: &Case) -> String {
 
 /// Serializes answers; returns `None` where they are not to be kept, or cannot be kept without loss.
 pub(crate) fn written(answers: &Answers) -> Option<String> {
-    let kept = answers.clone().convert(StoredOutcome::of)?;
-    let text = serde_json::to_string(&kept).ok()?;
+    let may_be_of_machine = |outcome: &Outcome| {
+        matches!(
+            outcome,
+            Outcome::Crashed { .. }
+                | Outcome::Unusable { .. }
+                | Outcome::TimedOut { .. }
+                | Outcome::Error { .. }
+        )
+    };
+    if answers.outcomes().any(may_be_of_machine) {
+        return None;
+    }
+    let text = serde_json::to_string(answers).ok()?;
     (read(&text).as_ref() == Some(answers)).then_some(text)
 }
 
 /// Parses answers; returns `None` where the text was not written by [`written`].
 pub(crate) fn read(text: &str) -> Option<Answers> {
-    let kept: Answers<StoredOutcome> = serde_json::from_str(text).ok()?;
-    kept.convert(StoredOutcome::outcome)
-}
-
-/// The serialized form of an outcome that may be kept; values are typed literals, and warnings come last.
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "lowercase", deny_unknown_fields)]
-enum StoredOutcome {
-    Accepted(Vec<Diagnostic>),
-    Executed(Vec<(String, String)>, Vec<Diagnostic>),
-    Rejected(Vec<Diagnostic>),
-    Faulted(String, Option<u32>, Vec<(String, String)>, Vec<Diagnostic>),
-    Rendered(String),
-    Unsupported(String),
-    #[serde(rename = "not-implemented")]
-    NotImplemented(String),
-}
-
-impl StoredOutcome {
-    /// Converts an outcome; returns `None` for one that is not to be kept.
-    fn of(outcome: Outcome) -> Option<StoredOutcome> {
-        Some(match outcome {
-            Outcome::Accepted { warnings } => StoredOutcome::Accepted(warnings),
-            Outcome::Executed { values, warnings } => StoredOutcome::Executed(literals(&values), warnings),
-            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics),
-            Outcome::Faulted {
-                fault,
-                line,
-                values,
-                warnings,
-            } => StoredOutcome::Faulted(fault.to_string(), line, literals(&values), warnings),
-            Outcome::Rendered { text } => StoredOutcome::Rendered(text),
-            Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason),
-            Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason),
-            Outcome::Crashed { .. }
-            | Outcome::Unusable { .. }
-            | Outcome::TimedOut { .. }
-            | Outcome::Error { .. } => return None,
-        })
-    }
-
-    /// Converts back to an outcome; returns `None` where a literal cannot be parsed.
-    fn outcome(self) -> Option<Outcome> {
-        Some(match self {
-            StoredOutcome::Accepted(warnings) => Outcome::Accepted { warnings },
-            StoredOutcome::Executed(literals, warnings) => Outcome::Executed {
-                values: values(literals)?,
-                warnings,
-            },
-            StoredOutcome::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
-            StoredOutcome::Faulted(fault, line, literals, warnings) => Outcome::Faulted {
-                fault: Fault::reported(&fault),
-                line,
-                values: values(literals)?,
-                warnings,
-            },
-            StoredOutcome::Rendered(text) => Outcome::Rendered { text },
-            StoredOutcome::Unsupported(reason) => Outcome::Unsupported { reason },
-            StoredOutcome::NotImplemented(reason) => Outcome::NotImplemented { reason },
-        })
-    }
-}
-
-fn literals(values: &[NamedValue]) -> Vec<(String, String)> {
-    let literal = |(name, value): &NamedValue| (name.clone(), value.to_string());
-    values.iter().map(literal).collect()
-}
-
-fn values(literals: Vec<(String, String)>) -> Option<Vec<NamedValue>> {
-    let value = |(name, literal): (String, String)| Some((name, Value::parse_observed(&literal).ok()?));
-    literals.into_iter().map(value).collect()
+    serde_json::from_str(text).ok()
 }

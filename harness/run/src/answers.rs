@@ -7,48 +7,26 @@ use stickler_suite::{Acceptance, Case};
 /// Everything that an engine answered about one case.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Answers<O = Outcome> {
+pub struct Answers {
     /// The outcome of `run`.
-    pub run: O,
+    pub run: Outcome,
     /// The outcomes of `render` and of the requests that follow it; `None` where the case expects no rendered text.
-    #[serde(default = "Option::default", skip_serializing_if = "Option::is_none")]
-    pub rendering: Option<Rendering<O>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rendering: Option<Rendering>,
 }
 
 /// The outcomes of rendering a program, and of rendering and running the rendered program. Basis: harness/engines/README.md
 /// (rendering again changes nothing, and the rendered program means the same).
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Rendering<O = Outcome> {
+pub struct Rendering {
     /// The outcome of rendering the program.
-    pub first: O,
+    pub first: Outcome,
     /// The outcome of rendering the rendered program; `None` where rendering gave no text.
-    pub again: Option<O>,
+    pub again: Option<Outcome>,
     /// The outcome of running the rendered program; `None` where rendering gave no text, or rendering it again crashed the
     /// engine.
-    pub rerun: Option<O>,
-}
-
-impl<O> Answers<O> {
-    /// Converts all outcomes; returns `None` where one cannot be converted.
-    pub(crate) fn convert<P>(self, outcome: impl Fn(O) -> Option<P>) -> Option<Answers<P>> {
-        let any = |done: Option<O>| match done {
-            Some(done) => outcome(done).map(Some),
-            None => Some(None),
-        };
-        let rendering = match self.rendering {
-            Some(rendering) => Some(Rendering {
-                first: outcome(rendering.first)?,
-                again: any(rendering.again)?,
-                rerun: any(rendering.rerun)?,
-            }),
-            None => None,
-        };
-        Some(Answers {
-            run: outcome(self.run)?,
-            rendering,
-        })
-    }
+    pub rerun: Option<Outcome>,
 }
 
 impl Answers {

@@ -54,15 +54,6 @@ pub struct Entry {
 }
 
 impl Baseline {
-    /// Reads a baseline. `file` is the path that messages show; `stem`, the file's name without its extension, names the
-    /// engine where the text itself does not.
-    ///
-    /// # Errors
-    /// [`BaselineError`]: the first mistake, with its line.
-    pub fn read(text: &str, file: &str, stem: &str) -> Result<Baseline, BaselineError> {
-        read::baseline(text, file, stem)
-    }
-
     /// Returns the name of the file in which the baseline of an engine is looked up. An engine behind a process chooses its
     /// own name, so every character that could lead to another folder becomes `-`.
     #[must_use]

@@ -1,6 +1,6 @@
 //! Facts: what a case expects and what an engine did, as typed data until a report prints them.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use serde::{Deserialize, Serialize};
 use std::fmt::{self, Write};
 use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 
@@ -36,7 +36,6 @@ pub enum Fact {
     /// The execution stops with a fault.
     Fault {
         /// The kind of fault; in JSON its word, which may be one of the compiler.
-        #[serde(serialize_with = "spelled", deserialize_with = "fault")]
         #[cfg_attr(feature = "schema", schemars(with = "String"))]
         fault: Fault,
         /// The line (from 1) on which it stops; `None` where the engine does not name it.
@@ -48,7 +47,6 @@ pub enum Fact {
         /// The variable by the name under which it was asked for: `q`, `a[1]`, `q@3` after the third scan.
         name: String,
         /// The value of the variable; in JSON a typed literal.
-        #[serde(serialize_with = "spelled", deserialize_with = "value")]
         #[cfg_attr(feature = "schema", schemars(with = "String"))]
         value: Value,
     },
@@ -298,20 +296,6 @@ impl fmt::Display for OneLine<'_> {
             true => f.write_str(&self.0.replace(['\n', '\r'], " ")),
         }
     }
-}
-
-fn spelled<S: Serializer>(spelled: &impl fmt::Display, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(spelled)
-}
-
-fn value<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
-    let literal = String::deserialize(deserializer)?;
-    let value = Value::parse_observed(&literal);
-    value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
-}
-
-fn fault<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Fault, D::Error> {
-    String::deserialize(deserializer).map(|words| Fault::reported(&words))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use stickler_workers::{Shard, SpawnError};
 
 /// The plan of a run: which cases it runs and how. The default runs every case of the suite, each engine judged by the best
 /// grade that it claims.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Plan {
     /// The number of workers; 0 stands for one per processor.
     pub jobs: usize,
@@ -47,29 +47,6 @@ pub struct Plan {
     /// The argument of `--engine`, quoted for a shell, by the name of the engine; an engine without an entry is requested by
     /// its name.
     pub asked_for: BTreeMap<String, String>,
-}
-
-impl Default for Plan {
-    fn default() -> Plan {
-        Plan {
-            jobs: 0,
-            unpacked: false,
-            filters: Vec::new(),
-            excluded: Vec::new(),
-            dialects: Vec::new(),
-            shard: None,
-            strict: None,
-            strict_rules: false,
-            baselines: Vec::new(),
-            lacks: BTreeMap::new(),
-            defined: Vec::new(),
-            today: Date::default(),
-            started: String::new(),
-            command: String::new(),
-            rerun_prefix: "cargo run --release -- run".to_owned(),
-            asked_for: BTreeMap::new(),
-        }
-    }
 }
 
 /// The summary of a run that ended.

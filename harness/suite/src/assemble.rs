@@ -2,13 +2,27 @@
 
 use std::sync::Arc;
 
-use stickler_types::{ClockSetting, Code, Observation, Setting, Severity, Value};
+use rustc_hash::FxHashMap;
+use stickler_types::{ClockSetting, Code, ElementaryType, Observation, Setting, Severity, Value};
 
 use crate::assembly::{Assembly, TypeNames, contradiction, shared};
 use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
+use crate::timing::{self, Variables};
+
+/// The text of a mark `scan` or `scans`.
+#[derive(Debug)]
+struct TimedText {
+    text: Arc<str>,
+    is_table: bool,
+    /// The line of its beginning, of the template and of the case file.
+    line: u32,
+    file_line: u32,
+    /// Whether each line of the text is a line of the template.
+    has_lines: bool,
+}
 
 /// Collector of the claims that the marks of one expansion make.
 #[derive(Debug)]
@@ -16,7 +30,10 @@ pub(crate) struct Assembler<'n> {
     expectation: Expectation,
     recorded: Vec<Observation>,
     set: Vec<Setting>,
-    clock: Vec<ClockSetting>,
+    /// The clock settings, with the lines of their marks.
+    clock: Vec<(u32, ClockSetting)>,
+    /// The texts of the marks `scan` and `scans`.
+    timed: Vec<TimedText>,
     /// The first value that a clock setting has and that is not a time.
     no_time: Option<Value>,
     acceptance_observed: bool,
@@ -33,6 +50,7 @@ impl<'n> Assembler<'n> {
             recorded: Vec::new(),
             set: Vec::new(),
             clock: Vec::new(),
+            timed: Vec::new(),
             no_time: None,
             acceptance_observed: false,
             line: 0,
@@ -57,6 +75,18 @@ impl<'n> Assembler<'n> {
                 for value in values {
                     self.value_line(value, *after, file_line(value.line), texts)?;
                 }
+                Ok(())
+            }
+            MarkClaim::Scans { text, is_table } => {
+                // The lines of a table begin below its word.
+                let below = mark.line + u32::from(*is_table);
+                self.timed.push(TimedText {
+                    has_lines: text.fixed().is_some(),
+                    text: text.fill(&mut self.scratch, texts),
+                    is_table: *is_table,
+                    line: below,
+                    file_line: file_line(below),
+                });
                 Ok(())
             }
             claim => self.claim(claim, line, texts).map_err(wrong),
@@ -104,7 +134,7 @@ impl<'n> Assembler<'n> {
                     return Err("execution stops only once, but two `fault` marks apply".to_owned());
                 }
             }
-            MarkClaim::Values { .. } => {}
+            MarkClaim::Values { .. } | MarkClaim::Scans { .. } => {}
             MarkClaim::Rendered(text) => {
                 let rendered = ExpectedText {
                     lines: body_lines(&text.fill(scratch, texts)),
@@ -124,6 +154,9 @@ impl<'n> Assembler<'n> {
             MarkClaim::ObserveAcceptance => self.acceptance_observed = true,
             MarkClaim::Set { name, value, before } => {
                 let (name, value) = (name.fill(scratch, texts), value.get(scratch, texts)?);
+                if matches!(value, Value::Near { .. }) {
+                    return Err(format!("a variable is set to one value, not to `{value}`"));
+                }
                 self.set.push(Setting {
                     before: *before,
                     name,
@@ -175,13 +208,69 @@ impl<'n> Assembler<'n> {
     /// Sets the clock before a scan.
     fn clock(&mut self, before: u32, time: Value) {
         match ClockSetting::at(before, &time) {
-            Some(setting) => self.clock.push(setting),
+            Some(setting) => self.clock.push((self.line, setting)),
             None => self.no_time = self.no_time.take().or(Some(time)),
         }
     }
 
-    /// Returns the expectation, or the first contradiction in the collected claims, on a line of the program.
-    pub(crate) fn finish(mut self, scans: u32) -> Result<Assembly, Mistake> {
+    /// Reads the marks `scan` and `scans`, and holds all settings against the variables of a program; returns the last scan of these marks.
+    fn timed(&mut self, source: &str) -> Result<u32, Mistake> {
+        let variables = Variables::of(source);
+        for Setting { name, value, .. } in &self.set {
+            let fits = variables.value(name, &value.to_string());
+            fits.map_err(|message| Mistake::new(self.line, message))?;
+        }
+        let mut last = 0;
+        let mut names: FxHashMap<String, Arc<str>> = FxHashMap::default();
+        let mut shared = |name: &str| Arc::clone(names.entry(name.to_owned()).or_insert_with(|| name.into()));
+        for timed in std::mem::take(&mut self.timed) {
+            let rows = match timed.is_table {
+                true => timing::scan_table(&timed.text),
+                false => timing::one_scan(&timed.text)
+                    .map(|row| vec![row])
+                    .map_err(|message| (0, message)),
+            };
+            let line = |of_text: u32| timed.line + if timed.has_lines { of_text } else { 0 };
+            let rows = rows.map_err(|(of_text, message)| Mistake::new(line(of_text), message))?;
+            for row in rows {
+                self.line = line(row.line);
+                let wrong = |message: String| Mistake::new(line(row.line), message);
+                if let Some(time) = row.clock {
+                    let time = timing::time(time).map_err(wrong)?;
+                    self.clock(row.scan, time);
+                }
+                for (name, literal) in row.set {
+                    let value = variables.value(name, literal).map_err(wrong)?;
+                    let (before, name) = (row.scan, shared(name));
+                    self.set.push(Setting { before, name, value });
+                }
+                for (name, literal) in row.expected {
+                    let value = variables.value(name, literal).map_err(wrong)?;
+                    self.expectation.values.push(ExpectedValue {
+                        name: shared(name),
+                        after: Some(row.scan),
+                        value,
+                        line: timed.file_line + line(row.line) - timed.line,
+                    });
+                }
+                last = last.max(row.scan);
+            }
+        }
+        Ok(last)
+    }
+
+    /// Returns the expectation, or the first contradiction in the collected claims, on a line of the program. Where no number of
+    /// scans is given, it is that of the last scan of which a mark speaks.
+    pub(crate) fn finish(
+        mut self,
+        scans: Option<u32>,
+        source: impl FnOnce() -> Arc<str>,
+    ) -> Result<Assembly, Mistake> {
+        let last = match self.timed.is_empty() && self.set.is_empty() {
+            true => 1,
+            false => self.timed(&source())?,
+        };
+        let scans = scans.unwrap_or(last.max(1));
         let line = self.line;
         let wrong = |message: String| Mistake::new(line, message);
         if self.acceptance_observed {
@@ -199,12 +288,13 @@ impl<'n> Assembler<'n> {
         self.expectation.diagnostics.sort();
         self.expectation.warnings.sort();
         self.set.sort_by_key(|set| set.before);
-        self.clock.sort_by_key(|clock| clock.before);
+        let clock = ascending(self.clock)?;
         Ok(Assembly {
             expectation: Arc::new(self.expectation),
             observe: shared(observe),
             set: shared(self.set),
-            clock: shared(self.clock),
+            clock: shared(clock),
+            scans,
         })
     }
 
@@ -213,7 +303,7 @@ impl<'n> Assembler<'n> {
         let values = self.expectation.values.iter().filter_map(|value| value.after);
         let recorded = self.recorded.iter().filter_map(|observe| observe.after);
         let set = self.set.iter().map(|set| set.before);
-        let clock = self.clock.iter().map(|clock| clock.before);
+        let clock = self.clock.iter().map(|(_, clock)| clock.before);
         if let Some(late) = values
             .chain(recorded)
             .chain(set)
@@ -227,6 +317,36 @@ impl<'n> Assembler<'n> {
             None => Ok(()),
         }
     }
+}
+
+/// Returns clock settings by scan.
+///
+/// # Errors
+/// A mistake on the line of a setting to an earlier time than that of the scan before it, or of a second one of a scan.
+fn ascending(mut clock: Vec<(u32, ClockSetting)>) -> Result<Vec<ClockSetting>, Mistake> {
+    clock.sort_by_key(|(_, clock)| clock.before);
+    let literal =
+        |clock: &ClockSetting| Value::plain(ElementaryType::Time, clock.nanoseconds.cast_unsigned());
+    for pair in clock.windows(2) {
+        let [(_, earlier), (line, later)] = pair else {
+            continue;
+        };
+        let before = later.before;
+        if earlier.before == before {
+            return Err(Mistake::new(
+                *line,
+                format!("the clock is set twice before scan {before}"),
+            ));
+        }
+        if earlier.nanoseconds > later.nanoseconds {
+            let (from, to) = (literal(earlier), literal(later));
+            return Err(Mistake::new(
+                *line,
+                format!("the clock goes back before scan {before}, from {from} to {to}"),
+            ));
+        }
+    }
+    Ok(clock.into_iter().map(|(_, clock)| clock).collect())
 }
 
 /// Returns the diagnostics with these codes on a line.

@@ -13,6 +13,8 @@ pub(crate) struct Assembly {
     pub(crate) observe: Arc<[Observation]>,
     pub(crate) set: Arc<[Setting]>,
     pub(crate) clock: Arc<[ClockSetting]>,
+    /// The number of scans that the program runs.
+    pub(crate) scans: u32,
 }
 
 impl Assembly {
@@ -103,9 +105,10 @@ impl TypeNames {
     /// Returns the name of a value's type.
     pub(crate) fn of(&self, value: &Value) -> Arc<str> {
         match value {
-            Value::Plain { ty, .. } | Value::Text { ty, .. } | Value::OutOfRange { ty, .. } => {
-                self.elementary(*ty)
-            }
+            Value::Plain { ty, .. }
+            | Value::Text { ty, .. }
+            | Value::OutOfRange { ty, .. }
+            | Value::Near { ty, .. } => self.elementary(*ty),
             Value::Enumerated { type_name, .. } => type_name.as_str().into(),
         }
     }

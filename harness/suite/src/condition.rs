@@ -128,7 +128,7 @@ fn alternatives(words: &[&str], testable: Testable<'_>) -> Result<Vec<Alternativ
         .split('|')
         .map(|word| match word.trim() {
             "" => Err(format!("`{joined}` has an empty alternative")),
-            word => Ok(match (GenericType::from_name(word), testable.slot(word)) {
+            word => Ok(match (GenericType::from_word(word), testable.slot(word)) {
                 (Some(generic), _) => Alternative::Generic(generic),
                 (None, Ok(slot)) => Alternative::Slot(slot),
                 (None, Err(_)) => Alternative::Text(word.into()),

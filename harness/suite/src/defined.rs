@@ -13,7 +13,9 @@ use stickler_types::{DialectName, ElementaryType, Question, Value};
 pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> ImplicitResult {
     let from = match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty,
-        Value::Enumerated { .. } | Value::OutOfRange { .. } => return ImplicitResult::Open,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
+            return ImplicitResult::Open;
+        }
     };
     let operands = std::slice::from_ref(value);
     let found = signatures(&format!("{from}_TO_{to}"), dialect);

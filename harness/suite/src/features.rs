@@ -165,16 +165,10 @@ pub(crate) fn read(
     sources: &Sources,
     dialects: &Dialects,
 ) -> (Features, Vec<CaseFileError>) {
-    root.read_own(FEATURES, |text| {
-        let lines = Lines::new(text);
-        match toml_text::read(text, 0, &lines) {
-            Ok(tables) => {
-                let (mut features, mut mistakes) = features(tables, sources, &lines);
-                mistakes.extend(features.ask(&dialects.all()));
-                (features, mistakes)
-            }
-            Err(mistake) => (Features::default(), vec![mistake]),
-        }
+    root.read_toml(FEATURES, |tables, lines| {
+        let (mut features, mut mistakes) = features(tables, sources, lines);
+        mistakes.extend(features.ask(&dialects.all()));
+        (features, mistakes)
     })
 }
 

@@ -3,10 +3,12 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
 use walkdir::WalkDir;
 
-use crate::CaseFileError;
 use crate::error::{Mistake, in_file};
+use crate::place::Lines;
+use crate::{CaseFileError, toml_text};
 
 /// The length of the longest case file that is read, in bytes.
 const MAX_FILE_LEN: u64 = 16 << 20;
@@ -103,6 +105,21 @@ impl Root {
             Err(mistake) => (T::default(), vec![mistake]),
         };
         (held, in_file(mistakes, &self.shown(below_root)))
+    }
+
+    /// Reads a file of the suite's own in TOML, whose content `check` turns into what the suite holds, and what is wrong with it.
+    pub(crate) fn read_toml<F: DeserializeOwned, T: Default>(
+        &self,
+        below_root: &str,
+        check: impl FnOnce(F, &Lines) -> (T, Vec<Mistake>),
+    ) -> (T, Vec<CaseFileError>) {
+        self.read_own(below_root, |text| {
+            let lines = Lines::new(text);
+            match toml_text::read(text, 0, &lines) {
+                Ok(content) => check(content, &lines),
+                Err(mistake) => (T::default(), vec![mistake]),
+            }
+        })
     }
 
     /// Returns the case file at `path`.

@@ -48,7 +48,8 @@ pub(crate) struct FileContext<'a> {
 pub(crate) struct ProbeFrame {
     pub(crate) summary: Option<Arc<str>>,
     pub(crate) tags: Arc<[Arc<str>]>,
-    pub(crate) scans: u32,
+    /// The number of scans; `None` where the marks tell it.
+    pub(crate) scans: Option<u32>,
 }
 
 /// The properties of a group of cases that differ only in their dialect.
@@ -115,7 +116,7 @@ impl Harvest {
                 area: Arc::clone(&context.area),
                 line: group.line,
                 source: Arc::clone(&group.source),
-                scans: frame.scans,
+                scans: group.assembly.scans,
                 tags: Arc::clone(&frame.tags),
                 clock: Arc::clone(&group.assembly.clock),
                 set: Arc::clone(&group.assembly.set),
@@ -177,16 +178,16 @@ impl FileContext<'_> {
     }
 }
 
-/// Checks the key `scans` and returns its value, or 1 if it is absent.
-pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> u32 {
+/// Checks the key `scans` and returns its value, if it is there and right.
+pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> Option<u32> {
     const MAX_SCANS: u32 = 1_000_000;
-    let Some(scans) = scans else { return 1 };
+    let scans = scans?;
     match *scans.get_ref() {
-        number @ 1..=MAX_SCANS => number,
+        number @ 1..=MAX_SCANS => Some(number),
         number => {
             let message = format!("{number} scans; a program runs from 1 to {MAX_SCANS}");
             mistakes.push(lines.mistake(scans, "scans", message));
-            1
+            None
         }
     }
 }

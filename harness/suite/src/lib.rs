@@ -50,6 +50,8 @@ mod table;
 mod template;
 #[cfg(test)]
 mod tests;
+mod timing;
+mod timing_diagram;
 mod toml_text;
 mod unmarked;
 mod withdrawn;

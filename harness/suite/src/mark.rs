@@ -53,6 +53,11 @@ pub(crate) enum MarkClaim {
         value: Known<Value>,
         before: u32,
     },
+    /// What is set and expected in one scan, or in a table with a line for each.
+    Scans {
+        text: Template,
+        is_table: bool,
+    },
 }
 
 /// One line of a `values` block.
@@ -90,7 +95,7 @@ impl MarkWord for Fault {
 
 impl MarkWord for Value {
     fn read(text: &str) -> Result<Self, String> {
-        Value::parse(text).map_err(|error| format!("`{text}` is no typed literal: {error}"))
+        Value::parse_expected(text).map_err(|error| format!("`{text}` is no typed literal: {error}"))
     }
 }
 

@@ -10,10 +10,11 @@ use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, MarkWord, ValueLine};
 use crate::scan::RawMark;
 use crate::template::Template;
+use crate::timing::scan_number;
 
 /// The words with which marks begin.
-pub(crate) const MARKS: [&str; 9] = [
-    "error", "warning", "ok", "fault", "values", "rendered", "observe", "set", "clock",
+pub(crate) const MARKS: [&str; 11] = [
+    "error", "warning", "ok", "fault", "values", "rendered", "observe", "set", "clock", "scan", "scans",
 ];
 
 /// Reader of the marks of one kind of file.
@@ -73,9 +74,18 @@ impl MarkReader<'_> {
                 self.clauses(rest, &mut clauses).map_err(here)?;
                 MarkClaim::Rendered(self.template(block).map_err(here)?)
             }
+            "scan" => self.one_scan(rest, &mut clauses).map_err(here)?,
+            "scans" => {
+                self.clauses(rest, &mut clauses).map_err(here)?;
+                let (text, is_table) = (self.template(block).map_err(here)?, true);
+                MarkClaim::Scans { text, is_table }
+            }
             _ => return Err(here(unknown_mark(word))),
         };
-        let is_block = matches!(claim, MarkClaim::Values { .. } | MarkClaim::Rendered(_));
+        let is_block = matches!(
+            claim,
+            MarkClaim::Values { .. } | MarkClaim::Rendered(_) | MarkClaim::Scans { is_table: true, .. }
+        );
         if !is_block && !block.trim().is_empty() {
             return Err(here(format!("`{word}` stands on one line")));
         }
@@ -162,6 +172,13 @@ impl MarkReader<'_> {
             value: self.known(value.trim())?,
             before,
         })
+    }
+
+    fn one_scan(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
+        let (text, rest) = split_clauses(rest);
+        self.clauses(rest, clauses)?;
+        let (text, is_table) = (self.template(text)?, false);
+        Ok(MarkClaim::Scans { text, is_table })
     }
 
     /// Reads the number of a scan, and the clauses that follow it.
@@ -255,20 +272,17 @@ fn is_clause(word: &str) -> bool {
 /// Splits the words of a mark from the clauses that follow them.
 fn split_clauses(text: &str) -> (&str, &str) {
     let mut at = 0;
-    for word in text.split_whitespace() {
+    let mut words = text.split_whitespace().peekable();
+    while let Some(word) = words.next() {
         // `word` is a part of `text` at or behind `at`.
         let start = at + text[at..].find(word).unwrap_or(0);
-        if is_clause(word) {
+        // A variable may have the name of a clause.
+        if is_clause(word) && words.peek() != Some(&"=") {
             return (text[..start].trim_end(), &text[start..]);
         }
         at = start + word.len();
     }
     (text, "")
-}
-
-fn scan_number(text: &str) -> Result<u32, String> {
-    let number = text.parse::<u32>().ok().filter(|&number| number >= 1);
-    number.ok_or_else(|| format!("`{text}` is no scan; scans count from 1"))
 }
 
 fn newlines(text: &str) -> u32 {

@@ -2,6 +2,7 @@
 //!
 //! The texts are shared (`Arc<str>`), because sixty thousand cases of one table have most of theirs in common.
 
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 use crate::citations::is_stated;
@@ -193,7 +194,8 @@ impl Expectation {
 }
 
 /// Whether a program must be accepted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Acceptance {
     /// No error may be given.
     #[default]
@@ -201,6 +203,7 @@ pub enum Acceptance {
     /// The program must be rejected with the errors that the expectation lists, at least one, and no others.
     Rejected,
     /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
+    #[serde(rename = "open")]
     Observed,
 }
 
@@ -214,11 +217,12 @@ pub struct ExpectedDiagnostic {
 }
 
 /// A value that a variable must have.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExpectedValue {
     /// The variable or path: `a[1]`, `rec.field`.
     pub name: Arc<str>,
     /// The 1-based scan after which the variable must have the value; `None` for the last scan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub after: Option<u32>,
     /// The value that the variable must have exactly.
     pub value: Value,

@@ -110,7 +110,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
         assembler.settings(&set, &clock);
         let assembled = program
             .apply(&active, &[], &mut assembler)
-            .and_then(|()| assembler.finish(frame.scans));
+            .and_then(|()| assembler.finish(frame.scans, || Arc::clone(&source)));
         match assembled {
             Ok(assembly) => {
                 if assembly.claims_nothing() {

@@ -39,7 +39,7 @@ pub struct Sources {
 }
 
 /// A public text, a recording or a measurement that expectations come from, or Stickler's own rules.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Source {
     /// The name that a basis begins with.
     pub key: String,
@@ -101,9 +101,10 @@ pub enum ToldSymptom {
 }
 
 /// The kind of a source.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SourceKind {
     /// A text that the publisher of a compiler or of a programming system gives out about it.
+    #[default]
     Document,
     /// A standard, which speaks for all compilers.
     Standard,

@@ -27,13 +27,7 @@ type StatementTables = BTreeMap<Spanned<String>, BTreeMap<Spanned<String>, Strin
 
 /// Reads the statements of a suite and what is wrong with their file. A suite without the file has none.
 pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Vec<SourceStatement>, Vec<CaseFileError>) {
-    root.read_own("statements.toml", |text| {
-        let lines = Lines::new(text);
-        match toml_text::read(text, 0, &lines) {
-            Ok(tables) => checked(tables, sources, &lines),
-            Err(mistake) => (Vec::new(), vec![mistake]),
-        }
-    })
+    root.read_toml("statements.toml", |tables, lines| checked(tables, sources, lines))
 }
 
 fn checked(

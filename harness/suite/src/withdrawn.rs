@@ -7,7 +7,7 @@ use crate::Suite;
 use crate::error::{CaseFileError, Mistake};
 use crate::files::{self, Root};
 use crate::place::Lines;
-use crate::toml_text::{self, Strings};
+use crate::toml_text::Strings;
 
 /// The file of the withdrawn cases, below the root of a suite.
 const WITHDRAWN: &str = "withdrawn.toml";
@@ -115,17 +115,10 @@ impl Suite {
     pub(crate) fn read_withdrawn(&mut self, root: &Root) {
         let shown = root.shown(WITHDRAWN);
         let changes = files::read(&root.path().join(CHANGES)).unwrap_or_default();
-        let (entries, errors) = root.read_own(WITHDRAWN, |text| {
-            let lines = Lines::new(text);
-            let read = toml_text::read::<WithdrawnFile>(text, 0, &lines);
-            match read {
-                Ok(file) => {
-                    let tables = file.withdrawn.into_iter();
-                    let entries = tables.flat_map(|table| table.entries(&shown, &lines));
-                    (entries.collect(), Vec::new())
-                }
-                Err(mistake) => (Vec::new(), vec![mistake]),
-            }
+        let (entries, errors) = root.read_toml(WITHDRAWN, |file: WithdrawnFile, lines| {
+            let tables = file.withdrawn.into_iter();
+            let entries = tables.flat_map(|table| table.entries(&shown, lines));
+            (entries.collect::<Vec<Withdrawn>>(), Vec::new())
         });
         self.errors.extend(errors);
         for entry in &entries {

@@ -1,6 +1,6 @@
 //! The features of the language that a program uses, by their keys in `conformance-cases/features.toml`.
 //!
-//! What a program uses does not depend on the dialect, of which only the nesting of comments is taken: a program with `.%X3`
+//! What a program uses does not depend on the dialect, of which only the nesting of comments and names of its own are taken: a program with `.%X3`
 //! uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
 //! values are in nearly every program and are no features.
 
@@ -12,8 +12,8 @@ use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
     CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Modifiers, Name, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    InitializerKind, Modifiers, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
@@ -47,7 +47,7 @@ pub fn features(text: &str, dialect: &Dialect) -> BTreeSet<FeatureKey> {
 pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
     let dialect = with_all_syntax(dialect);
     let (unit, _) = crate::parse(text, &dialect);
-    let mut finder = FeatureFinder::new(text, &unit);
+    let mut finder = FeatureFinder::new(text, &unit, &dialect);
     walk(&unit, &mut finder);
     finder.configurations(&unit);
     finder.tokens(&dialect);
@@ -64,8 +64,14 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
         partial_access: PartialAccess::UpToLongWords,
         third_edition_types: ThirdEditionTypes::All,
         lengths_in_parentheses: true,
+        reals_without_point: true,
+        ends_without_semicolon: true,
+        library_namespaces: true,
         ampersand_and_power: true,
-        features: DeclaredFeatures::NONE,
+        features: DeclaredFeatures {
+            has: Dialect::POINTER_FEATURES.map(str::to_owned).to_vec(),
+            ..DeclaredFeatures::NONE
+        },
         ..dialect.clone()
     }
 }
@@ -73,6 +79,8 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
 /// A walk that notes features.
 struct FeatureFinder<'t, 's> {
     text: &'s str,
+    /// Of which the names of its own are taken.
+    dialect: &'t Dialect,
     /// What the program declares, by name; of several of one name the last.
     declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
     /// The types with which variables and fields are declared, by name.
@@ -83,7 +91,7 @@ struct FeatureFinder<'t, 's> {
 }
 
 impl<'t, 's> FeatureFinder<'t, 's> {
-    fn new(text: &'s str, unit: &'t SourceUnit<'s>) -> FeatureFinder<'t, 's> {
+    fn new(text: &'s str, unit: &'t SourceUnit<'s>, dialect: &'t Dialect) -> FeatureFinder<'t, 's> {
         let names = declared(unit);
         let of_group = |name: &crate::names::DeclaredName<'t, 's>| {
             let group = name.group?;
@@ -101,6 +109,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         }
         FeatureFinder {
             text,
+            dialect,
             inputs,
             declared: names
                 .iter()
@@ -147,6 +156,12 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         }
     }
 
+    /// Returns whether the program declares a variable of the name as a reference or pointer.
+    fn is_pointer(&self, variable: &str) -> bool {
+        let declared = self.types.get(&CaseFolded(variable));
+        declared.is_some_and(|ty| matches!(ty.kind, TypeSpecificationKind::Pointer { .. }))
+    }
+
     /// Returns the number of inputs of a function or function block.
     fn inputs_of(&self, pou: &str) -> usize {
         self.inputs.get(&CaseFolded(pou)).copied().unwrap_or_default()
@@ -187,6 +202,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             let written = token.span.text(text);
             match token.kind {
                 TokenKind::Ampersand => self.note("ampersand", token.span),
+                TokenKind::Real if !written.contains('.') => {
+                    self.note("real-without-point", token.span);
+                }
                 TokenKind::Partial => self.note(partial_access(written), token.span),
                 _ if token.kind.is_literal() && is_number_with_underscore(written) => {
                     self.note("literal-underscore", token.span);
@@ -205,6 +223,23 @@ fn partial_access(written: &str) -> &'static str {
         Some(b'D') => "partial-access-double-word",
         Some(b'L') => "partial-access-long-word",
         _ => "partial-access-bit",
+    }
+}
+
+/// Returns the key of the feature of a standard function block, such as `TON` and `CTU_DINT`; `None` for other names.
+#[must_use]
+pub fn standard_block(name: &str) -> Option<&'static str> {
+    let name = name.to_ascii_uppercase();
+    let (family, of_type) = name.rsplit_once('_').unwrap_or((&name, ""));
+    match (family, of_type) {
+        ("SR" | "RS", "") => Some("bistable-blocks"),
+        ("SEMA", "") => Some("semaphore-block"),
+        ("R" | "F", "TRIG") => Some("edge-blocks"),
+        ("CTU" | "CTD" | "CTUD", "") => Some("counter-blocks"),
+        ("CTU" | "CTD" | "CTUD", _) => Some("typed-counter-blocks"),
+        ("TP" | "TON" | "TOF", "") => Some("timer-blocks"),
+        ("TP" | "TON" | "TOF", "LTIME") => Some("long-timer-blocks"),
+        _ => None,
     }
 }
 
@@ -250,12 +285,19 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             "structure-extends",
             declaration.name.span,
         );
+        if matches!(
+            declaration.specification.kind,
+            TypeSpecificationKind::Structure(_)
+        ) {
+            self.end_of_block(declaration.specification.span);
+        }
         let key = match &declaration.specification.kind {
             TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => "type-alias",
             TypeSpecificationKind::Array { .. } => "array-type",
             TypeSpecificationKind::Subrange { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Error => return self.initial_value_of_type(declaration),
         };
         self.note(key, declaration.name.span);
@@ -302,9 +344,14 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             );
         }
         if let TypeSpecificationKind::Named(ty) = &group.specification.kind {
-            match self.declared(ty.text) {
+            match self.declared(ty.unqualified().text) {
                 Some(DeclaredKind::Pou(PouKind::FunctionBlock)) => {
                     self.note("function-block-instance", ty.span);
+                    let is_temporary = at
+                        .section
+                        .is_some_and(|section| section.kind != VariableKind::InOut)
+                        && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
+                    self.note_if(is_temporary, "function-block-in-function", ty.span);
                 }
                 Some(DeclaredKind::Pou(PouKind::Interface)) => self.note("interface-variable", ty.span),
                 _ => {}
@@ -347,6 +394,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 );
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Pointer { form, target } => {
+                self.note(form.feature(), span);
+                let is_nested = matches!(&target.kind, TypeSpecificationKind::Pointer { form, .. } if *form != PointerForm::PointerTo);
+                self.note_if(is_nested, "reference-nested", span);
+            }
             TypeSpecificationKind::Error => {}
         }
     }
@@ -365,8 +417,16 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn statement(&mut self, statement: &'t Statement, _: &Context<'t, 's>) {
         let span = statement.span;
+        use StatementKind::{Case, For, If, Repeat, While};
+        if matches!(
+            statement.kind,
+            If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
+        ) {
+            self.end_of_block(span);
+        }
         match &statement.kind {
             StatementKind::Assignment { .. } | StatementKind::Call(_) => {}
+            StatementKind::Binding { .. } => self.note("reference-binding", span),
             StatementKind::If { branches, otherwise } => {
                 self.note("if", span);
                 self.note_if(branches.len() > 1, "elsif", span);
@@ -415,9 +475,21 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 }
 
 impl<'s> FeatureFinder<'_, 's> {
+    /// Notes what has an END_… of its own and no `;` behind it.
+    fn end_of_block(&mut self, span: Span) {
+        let behind = self.text.get(span.end as usize..).unwrap_or_default();
+        let is_closed = behind.trim_start().starts_with([';', ':', '(', '/', '{']);
+        self.note_if(!is_closed, "end-without-semicolon", span);
+    }
+
     fn named_type(&mut self, name: &Name<'s>) {
-        if let Some(ty) = ElementaryType::from_name(name.text) {
+        self.note_if(name.text.contains('.'), "qualified-name", name.span);
+        if let Some(ty) = self.dialect.elementary(name.text) {
             self.note_type(ty, name.span);
+        } else if let Some(key) = standard_block(name.text)
+            && self.declared(name.text).is_none()
+        {
+            self.note(key, name.span);
         }
     }
 

@@ -204,7 +204,9 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         match &specification.kind {
             TypeSpecificationKind::Named(name)
             | TypeSpecificationKind::Text { name, .. }
-            | TypeSpecificationKind::Subrange { base: name, .. } => self.note(*name, UseKind::Type, at.pou),
+            | TypeSpecificationKind::Subrange { base: name, .. } => {
+                self.note(name.unqualified(), UseKind::Type, at.pou);
+            }
             TypeSpecificationKind::Enumeration { base, values } => {
                 if let Some(base) = base {
                     self.note(*base, UseKind::Type, at.pou);
@@ -214,6 +216,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
             | TypeSpecificationKind::Error => {}
         }
@@ -261,6 +264,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             ExpressionKind::Index { .. }
+            | ExpressionKind::Dereference { .. }
             | ExpressionKind::Bit { .. }
             | ExpressionKind::Part { .. }
             | ExpressionKind::Unary { .. }

@@ -176,6 +176,7 @@ pub fn bodies(statement: &Statement) -> Vec<&[Statement]> {
         | StatementKind::While { body, .. }
         | StatementKind::Repeat { body, .. } => vec![body],
         StatementKind::Assignment { .. }
+        | StatementKind::Binding { .. }
         | StatementKind::Call(_)
         | StatementKind::Exit
         | StatementKind::Continue
@@ -203,6 +204,7 @@ pub fn operands(expression: &Expression<'_>) -> Vec<(ExpressionId, Place)> {
                 .collect()
         }
         ExpressionKind::Field { base, .. }
+        | ExpressionKind::Dereference { base }
         | ExpressionKind::Bit { base, .. }
         | ExpressionKind::Part { base, .. } => vec![(*base, Place::Base)],
         ExpressionKind::Index { base, subscripts } => {
@@ -277,6 +279,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 dimensions.iter().for_each(|limits| self.limits(*limits));
                 self.specification(element);
             }
+            TypeSpecificationKind::Pointer { target, .. } => self.specification(target),
             TypeSpecificationKind::Enumeration { values, .. } => {
                 let numbers = values.iter().filter_map(|(_, number)| *number);
                 numbers.for_each(|number| self.expression(number, Place::EnumerationNumber));
@@ -329,7 +332,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
         self.visitor.statement(statement, &self.at);
         let outer = self.at.outer.replace(statement.span);
         match &statement.kind {
-            StatementKind::Assignment { target, value } => {
+            StatementKind::Assignment { target, value } | StatementKind::Binding { target, value } => {
                 self.expression(*target, Place::Target);
                 self.expression(*value, Place::Value);
             }

@@ -3,7 +3,7 @@
 use crate::call::{Agreed, Call};
 use crate::table::{ProbeClaim, Table, TableProbe};
 use stickler_exact::{Expected, Operation, page_has_truncation};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, distinct};
 
 /// The tables whose probes may record a result that a document speaks of, because their ids are older than that knowledge, or
 /// because the program asks something else beside it; other tables assert these results.
@@ -30,11 +30,8 @@ impl Table {
     /// another document than the one that says so, and the table has no column `basis`; where two dialects give different
     /// results; and where the file leaves out a dialect that has the function.
     pub fn expected(&self, call: &Call) -> Result<Vec<Agreed>, String> {
-        match self
-            .probes
-            .iter()
-            .any(|probe| probe.is_of_all && probe.claim == Some(ProbeClaim::Value))
-        {
+        let is_of_all = |probe: &TableProbe| probe.is_of_all && probe.claim == Some(ProbeClaim::Value);
+        match self.probes.iter().any(is_of_all) {
             true => self.in_every_dialect(call),
             false => Ok(vec![self.in_named_dialects(call)?]),
         }
@@ -51,20 +48,15 @@ impl Table {
             for &dialect in &probe.dialects {
                 let expected = call.expected(dialect);
                 let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
-                if probe.claim == Some(ProbeClaim::Value)
-                    && expected.basis.is_none()
-                    && self.has_column("dialects")
-                {
-                    leaves_out = true;
-                    continue;
-                }
-                if probe.claim == Some(ProbeClaim::Value)
-                    && expected.basis.is_none()
-                    && self.generate.is_none()
-                    && probe.may_be_open
-                {
-                    leaves_open.push(dialect);
-                    continue;
+                if probe.claim == Some(ProbeClaim::Value) && expected.basis.is_none() {
+                    if self.has_column("dialects") {
+                        leaves_out = true;
+                        continue;
+                    }
+                    if self.generate.is_none() && probe.may_be_open {
+                        leaves_open.push(dialect);
+                        continue;
+                    }
                 }
                 self.check(probe, call, dialect, &expected)?;
                 let (Some(ProbeClaim::Value), Some(basis)) = (probe.claim, expected.basis) else {
@@ -95,14 +87,11 @@ impl Table {
             }
         };
         let asserted: Vec<DialectName> = bases.iter().map(|(dialect, _)| *dialect).collect();
+        let dialects = leaves_out.then(|| self.asked(&asserted));
         Ok(Agreed {
             value: agreed.unwrap_or_else(|| open.to_owned()),
             basis,
-            dialects: if leaves_out {
-                self.asked(&asserted)
-            } else {
-                String::new()
-            },
+            dialects: dialects.unwrap_or_default(),
         })
     }
 
@@ -113,13 +102,8 @@ impl Table {
             .iter()
             .filter(|probe| probe.claim != Some(ProbeClaim::Value));
         let recorded = recording.flat_map(|probe| &probe.dialects);
-        let mut dialects: Vec<&str> = Vec::new();
-        for dialect in asserted.iter().chain(recorded) {
-            if !dialects.contains(&dialect.as_str()) {
-                dialects.push(dialect.as_str());
-            }
-        }
-        dialects.join(" ")
+        let dialects = asserted.iter().chain(recorded);
+        distinct(dialects.map(|dialect| dialect.as_str())).join(" ")
     }
 
     /// Returns the bases of a call as a cell has them: sources that speak for some dialects stand before those that speak for

@@ -4,7 +4,7 @@ use crate::call::{Agreed, Call};
 use crate::claim::OPEN;
 use crate::table::{ProbeClaim, Table};
 use stickler_suite::SourceKind;
-use stickler_types::{Dialect, DialectName, Value};
+use stickler_types::{Dialect, DialectName, Value, distinct};
 
 /// The result of a call in a dialect, and the source that states it; `None` where none speaks of this dialect.
 struct Statement {
@@ -25,23 +25,14 @@ impl Table {
         if !self.has_column("dialects") {
             return Err("the table names its dialects as `all` and has no column `dialects`".to_owned());
         }
-        if let Some(probe) = self
-            .probes
-            .iter()
-            .find(|probe| probe.claim != Some(ProbeClaim::Value))
-        {
-            return Err(format!(
-                "`{}` asserts no result, in dialects named as `all`",
-                probe.name
-            ));
+        let mut probes = self.probes.iter();
+        if let Some(probe) = probes.find(|probe| probe.claim != Some(ProbeClaim::Value)) {
+            let name = &probe.name;
+            return Err(format!("`{name}` asserts no result, in dialects named as `all`"));
         }
         let statements = self.statements(call);
-        let mut values: Vec<Value> = Vec::new();
-        for statement in statements.iter().filter(|statement| statement.basis.is_some()) {
-            if !values.contains(&statement.value) {
-                values.push(statement.value.clone());
-            }
-        }
+        let stated = statements.iter().filter(|statement| statement.basis.is_some());
+        let values = distinct(stated.map(|statement| statement.value.clone()));
         let is_recorded = self.generate.is_none() && self.probes.iter().all(|probe| probe.may_be_open);
         if values.is_empty() && !is_recorded {
             return Err("no source states the result".to_owned());

@@ -8,7 +8,7 @@
 
 use crate::lists;
 use crate::number::{halves, whole};
-use stickler_types::{ElementaryType, Value, WrittenValue};
+use stickler_types::{ElementaryType, Value, WrittenValue, distinct};
 
 /// Returns the operands of a pair of types, numbers in ascending order, each once.
 ///
@@ -26,13 +26,7 @@ pub fn operands(
         values.extend(of_entry(entry, from, to)?);
     }
     values.sort_by_key(order);
-    let mut each_once: Vec<Value> = Vec::new();
-    for value in values {
-        if !each_once.contains(&value) {
-            each_once.push(value);
-        }
-    }
-    Ok(each_once.into_iter().map(WrittenValue::of).collect())
+    Ok(distinct(values).into_iter().map(WrittenValue::of).collect())
 }
 
 fn of_entry(entry: &str, from: ElementaryType, to: ElementaryType) -> Result<Vec<Value>, String> {
@@ -64,7 +58,7 @@ fn order(value: &Value) -> i128 {
             }
         }
         Value::Plain { ty, raw } => ty.integer_value(raw),
-        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => 0,
+        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => 0,
     }
 }
 
@@ -72,18 +66,10 @@ fn order(value: &Value) -> i128 {
 struct Limit {
     is_negative: bool,
     of_target: bool,
-    name: LimitName,
+    /// Returns the limit of a type with this range.
+    limit: fn(ElementaryType, (i128, i128)) -> i128,
     /// The halves that are added.
     offset: i128,
-}
-
-enum LimitName {
-    Least,
-    Greatest,
-    /// Half the number of values of an unsigned type, a quarter of those of a signed one: the highest bit of a number.
-    Half,
-    /// The number of values.
-    Modulus,
 }
 
 impl Limit {
@@ -109,11 +95,13 @@ impl Limit {
                 "to" => true,
                 _ => return None,
             },
-            name: match name {
-                "least" => LimitName::Least,
-                "greatest" => LimitName::Greatest,
-                "half" => LimitName::Half,
-                "modulus" => LimitName::Modulus,
+            limit: match name {
+                "least" => |_, (least, _)| least,
+                "greatest" => |_, (_, greatest)| greatest,
+                // Half the number of values of an unsigned type, a quarter of those of a signed one: the highest bit of a number.
+                "half" => |_, (_, greatest)| greatest / 2 + 1,
+                // The number of values.
+                "modulus" => |ty, _| 1 << ty.bits(),
                 _ => return None,
             },
             offset: 2 * whole + if offset.starts_with('-') { -half } else { half },
@@ -122,13 +110,7 @@ impl Limit {
 
     fn value(&self, from: ElementaryType, to: ElementaryType) -> Option<Value> {
         let ty = if self.of_target { to } else { from };
-        let (least, greatest) = ty.integer_range()?;
-        let limit = match self.name {
-            LimitName::Least => least,
-            LimitName::Greatest => greatest,
-            LimitName::Half => greatest / 2 + 1,
-            LimitName::Modulus => 1 << ty.bits(),
-        };
+        let limit = (self.limit)(ty, ty.integer_range()?);
         let number = 2 * if self.is_negative { -limit } else { limit } + self.offset;
         if from.is_real() {
             halves(from, number)

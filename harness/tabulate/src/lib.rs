@@ -14,9 +14,12 @@
 //! | Does the folder have the rows that it must have? | [`folder`] |
 //! | What do IEC 60559 and two's complement suggest where a table only records? | [`suggestion`] |
 //!
-//! *Architecture Invariant:* every expected value and every basis comes from `stickler_exact`. This crate must not know the
+//! The tables of [`blocks`] are of sequences of scans, whose results a model gives.
+//!
+//! *Architecture Invariant:* every expected value and every basis of a call comes from `stickler_exact`. This crate must not know the
 //! reference implementation, which is held to what it writes, and it never reads a computed cell: a wrong one cannot survive.
 
+pub mod blocks;
 pub mod call;
 pub mod cell;
 pub mod claim;

@@ -180,18 +180,18 @@ pub fn few(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
 pub fn telling(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     /// An even number whose highest bit is set, in each width.
     const PATTERN: i128 = 0x96AA_33CC_9FF0_A5C2;
-    if from.is_real() && to == ElementaryType::Bool {
-        return [-5, 9]
+    let both = |numbers: [i128; 2]| {
+        numbers
             .into_iter()
             .filter_map(|number| halves(from, number))
-            .collect();
+            .collect()
+    };
+    if from.is_real() && to == ElementaryType::Bool {
+        return both([-5, 9]);
     }
     if from.is_real() && to.is_integer() {
         // Rounding to even and away from zero agree here, so that each differs from truncation in every row.
-        return [-7, 7]
-            .into_iter()
-            .filter_map(|number| halves(from, number))
-            .collect();
+        return both([-7, 7]);
     }
     let Some((_, greatest)) = from.integer_range().filter(|_| from != ElementaryType::Bool) else {
         return few(from, to);

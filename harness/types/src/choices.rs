@@ -41,6 +41,8 @@ words! {
         Up = "up",
         /// To the greatest integer not above the number.
         Down = "down",
+        /// To the integer next to the number with no smaller magnitude.
+        AwayFromZero = "away-from-zero",
     }
 }
 
@@ -89,8 +91,12 @@ words! {
         LeadingDigits = "leading-digits",
         /// The whole text but blanks, tabs and the ends of lines and pages (the characters 9 to 13) at either end; a duration needs its prefix.
         WholeLiteral = "whole-literal",
-        /// The whole text but underscores, wherever they are, and blanks at either end and behind the sign.
+        /// The whole text but underscores, wherever they are, and blanks at either end and behind the sign. A text that is no number of the type
+        /// gives none: where a call of the function is all that is assigned, the variable keeps its value.
         LooseDigits = "loose-digits",
+        /// The longest decimal number at the beginning, without an exponent, after any blanks; commas before its point do not count. An integer
+        /// takes what is before the point, and is 0 where its type does not hold that.
+        LeadingFixedPoint = "leading-fixed-point",
     }
 }
 

@@ -5,7 +5,7 @@
 //! meaning is implemented twice, independently: by the reference and by exact arithmetic.
 
 use crate::choice::{Choice, choices};
-pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
+pub use crate::options::{FreeWords, PartialAccess, TextPositions, ThirdEditionTypes, Widening};
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 use crate::{
     ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
@@ -129,15 +129,67 @@ choices! {
         ///
         /// Basis: omron-instructions: 296.
         long_truncation: bool = false, ["flags.long-truncation"];
+        /// ROUNDUP takes the next integer away from zero; its result is of the types of ROUND. Basis: omron-instructions: 296.
+        rounds_up: bool = false, ["flags.rounds-up"];
+        /// A duration times an infinity or what is not a number is the least one, and not 0. Basis: omron-instructions: 609.
+        infinite_products: bool = false, ["flags.infinite-products"];
+        /// An untyped integer literal in another base is a WORD, DWORD or LWORD where a function makes an integer of it: `TO_DINT(16#FFFF)`. Basis:
+        /// plcnext-conversions: TO_DINT.
+        based_literals_as_bits: bool = false, ["flags.based-literals-as-bits"];
+        /// Names of conversion functions may have the long keywords of types: `UDINT_TO_TIME_OF_DAY`. Basis: iec-61131-3: Table 10; twincat-builds:
+        /// recordings/twincat.build.json (`cc_conv_spelled_…`), by which they may not.
+        long_names_convert: bool = true, ["flags.long-names-convert"];
+        /// A literal of TIME may have microseconds and nanoseconds, as one of LTIME may: `T#5ns`. Basis: iec-61131-3: Table 8; twincat-builds:
+        /// recordings/twincat.build.json (`cc_time_…_literal`), by which it may not.
+        fine_time_literals: bool = true, ["flags.fine-time-literals"];
+        /// TO_STRING and TO_WSTRING have a second input FORMAT: `'{0:D8}'`. Basis: plcnext-conversions: TO_STRING.
+        format_strings: bool = false, ["flags.format-strings"];
         /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
         /// Specific Features.
         mixed_locations: bool = true, ["flags.mixed-locations"];
+        /// A real literal needs no point before its exponent: `1E5`.
+        ///
+        /// Basis: codesys-pages: _cds_operands_constant_real; iec-61131-3: Table 5, by which it does.
+        reals_without_point: bool = false, ["flags.reals-without-point"];
+        /// No `;` need stand behind END_IF, END_CASE, END_FOR, END_WHILE and END_REPEAT, and behind the last END_STRUCT of TYPE.
+        ///
+        /// Basis: codesys-pages: _cds_exst_operator_expression, _cds_datatype_structure; strucpp-tests: libs/sources/plcopen-softmotion/opensml_sync_position.st.
+        ends_without_semicolon: bool = false, ["flags.ends-without-semicolon"];
+        /// Bit strings apart from BOOL are integers where one is needed: as a subscript, a bound of FOR, the number of places of a shift, the
+        /// factor of a duration, and behind CASE.
+        ///
+        /// Basis: codesys-pages: _cds_datatype_integer, _cds_operator_mul; iec-61131-3: 7.3.3.
+        bit_strings_as_integers: bool = false, ["flags.bit-strings-as-integers"];
+        /// A name may be qualified by that of its library or of its list of global variables, of which the text need not tell: what it qualifies
+        /// is declared in the text, or is standard.
+        ///
+        /// Basis: codesys-pages: _cds_rules.
+        library_namespaces: bool = false, ["flags.library-namespaces"];
+        /// A function may have instances of function blocks, which begin anew with each call.
+        ///
+        /// Basis: codesys-analysis: SA0167; ironplc-problem-codes: P4054, by which it may not.
+        blocks_in_functions: bool = false, ["flags.blocks-in-functions"];
+        /// A value of an enumeration may be qualified by a point: `COLOR.RED`.
+        ///
+        /// Basis: codesys-pages: _cds_operator_namespace_enum.
+        values_behind_points: bool = false, ["flags.values-behind-points"];
+        /// Keywords, and names of data types, that may name something else: ON outside of a configuration.
+        ///
+        /// Basis: twincat-pages: Keywords.
+        free_words: FreeWords = FreeWords::NONE, ["language.free-words"];
         /// Two apostrophes in a text in single quotes are one: `'it''s'`.
         ///
         /// Basis: ironplc-data-types: string; iec-61131-3: Table 7, by which an apostrophe is `$'`.
         doubled_apostrophes: bool = false, ["flags.doubled-apostrophes"];
-        /// The inputs of the standard counters and bistables are called RESET, LOAD, SET, SET1 and RESET1, counters count WORD, and F_TRIG tells no
-        /// edge in its first call.
+        /// F_TRIG tells an edge in its first call, if CLK is FALSE then.
+        ///
+        /// Basis: iec-61131-3: Table 44; ironplc-function-blocks: f-trig, codesys-safety: sf_f_trig, by which it does not.
+        first_call_falls: bool = true, ["flags.first-call-falls"];
+        /// Counters count up to PV, and down to 0, and not to the limits of their type.
+        ///
+        /// Basis: matiec-repository: lib/counter.txt; iec-61131-3: Table 45, by which they go on.
+        counters_stop_at_preset: bool = false, ["flags.counters-stop-at-preset"];
+        /// The inputs of the standard counters and bistables are called RESET, LOAD, SET, SET1 and RESET1, and counters count WORD.
         ///
         /// Basis: codesys-recording: recordings/codesys.run.json (`lib_std_…`).
         set_and_reset_inputs: bool = false, ["flags.set-and-reset-inputs"];
@@ -162,6 +214,16 @@ choices! {
         ///
         /// Basis: matiec: User-defined types; rule: not-stated; implicit-conversion-rules: ANY_DATE, STRING and user defined, by which they do not.
         derived_types_convert: bool = true, ["flags.derived-types-convert"];
+        /// EXPT gives an LREAL, but a REAL of two REAL, and SQRT and the other functions of one real number take an integer as an LREAL.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`expt_types`, `expt_mixed_width`, `sqrt_precision`, `exp_log_precision`).
+        integers_as_lreal: bool = false, ["flags.integers-as-lreal"];
+        /// MUL_TIME and DIV_TIME give whole milliseconds, the rest of which is cut.
+        ///
+        /// Basis: ironplc-standard-functions: mul_time, div_time.
+        scaled_to_milliseconds: bool = false, ["flags.scaled-to-milliseconds"];
+        /// What functions of texts do with a length or a position outside the text.
+        text_positions: TextPositions = TextPositions::Clipped, ["language.text-positions"];
         /// The pairs of elementary types that convert implicitly.
         widening: Widening = Widening::None, ["language.implicit"];
         /// The implicit conversions that are accepted with a warning.
@@ -206,6 +268,10 @@ choices! {
         asked_beside: Option<String> = None;
         /// The pairs of types for which the file states whether they convert implicitly, whatever `widening` says.
         cells: BTreeMap<Pair, Stated> = BTreeMap::new();
+        /// The names that the system has for types and functions of the standard, in capital letters.
+        names: BTreeMap<String, String> = BTreeMap::new();
+        /// The types that TO_INT and its kin take, by the type that they give, where they do not take all that have a meaning.
+        inputs: BTreeMap<ElementaryType, &'static [ElementaryType]> = BTreeMap::new();
         /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
         stated: BTreeMap<&'static str, String> = BTreeMap::new();
         /// The choices of conversion functions, and of implicit conversions, where systems differ.
@@ -415,6 +481,55 @@ impl Dialect {
             _ => false,
         };
         by_choice || self.features.lacks.iter().any(|lacked| lacked == feature)
+    }
+
+    /// Returns the name that the standard has for what the system calls by this one, which itself is returned otherwise.
+    #[must_use]
+    pub fn standard_name<'n>(&'n self, name: &'n str) -> &'n str {
+        let has_names = !self.names.is_empty();
+        let own = has_names.then(|| self.names.get(&name.to_ascii_uppercase()));
+        own.flatten().map_or(name, String::as_str)
+    }
+
+    /// Returns the elementary type of this name, by the standard or of the system's own; it may be one that the dialect does not have.
+    #[must_use]
+    pub fn elementary(&self, name: &str) -> Option<ElementaryType> {
+        ElementaryType::from_name(self.standard_name(name))
+    }
+
+    /// The features of references and pointers, by their keys in `conformance-cases/features.toml`; those of the third edition come first.
+    pub const POINTER_FEATURES: [&str; 13] = [
+        "reference",
+        "ref",
+        "null",
+        "dereference",
+        "reference-to-part",
+        "reference-nested",
+        "pointer",
+        "pointer-arithmetic",
+        "adr",
+        "sizeof",
+        "reference-to",
+        "reference-binding",
+        "__isvalidref",
+    ];
+
+    /// Returns whether a feature of references and pointers is one of the third edition, and no extension.
+    #[must_use]
+    pub fn is_third_edition_pointer(feature: &str) -> bool {
+        Dialect::POINTER_FEATURES[..6].contains(&feature)
+    }
+
+    /// Returns whether programs of the dialect may use a feature of references and pointers: one that its file declares, or, unless the
+    /// file says that it lacks it, one of the third edition where it declares a later edition than the second.
+    #[must_use]
+    pub fn has_pointers(&self, feature: &str) -> bool {
+        let is_of_edition = || {
+            self.features.edition.is_some_and(|edition| edition > 2)
+                && Dialect::is_third_edition_pointer(feature)
+        };
+        let is_declared = || self.features.has.iter().any(|has| has == feature);
+        (is_declared() || is_of_edition()) && !self.lacks(feature)
     }
 
     /// Returns whether the dialect has this elementary type.

@@ -266,6 +266,11 @@ impl ElementaryType {
         )
     }
 
+    /// Returns whether the type is a duration, a date, a time of day or both.
+    pub const fn is_moment(self) -> bool {
+        self.is_duration() || self.is_date_or_time()
+    }
+
     /// Returns whether the type is `STRING` or `WSTRING`.
     pub const fn is_text(self) -> bool {
         matches!(self.family(), Family::Text)
@@ -333,6 +338,23 @@ impl ElementaryType {
         match self.family() {
             Family::Signed | Family::Duration | Family::Date | Family::DateAndTime => raw as i64 as i128,
             _ => raw as i128,
+        }
+    }
+
+    /// Returns the number that the raw form of a `REAL` or `LREAL` represents, exactly; `None` for other types.
+    pub const fn real_value(self, raw: u64) -> Option<f64> {
+        match self {
+            ElementaryType::Real => Some(f32::from_bits(raw as u32) as f64),
+            ElementaryType::Lreal => Some(f64::from_bits(raw)),
+            _ => None,
+        }
+    }
+
+    /// Returns the raw form of a number as a `REAL`, to which it is rounded, or else as an `LREAL`.
+    pub const fn real_bits(self, number: f64) -> u64 {
+        match self {
+            ElementaryType::Real => (number as f32).to_bits() as u64,
+            _ => number.to_bits(),
         }
     }
 }

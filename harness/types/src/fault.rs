@@ -1,5 +1,7 @@
 //! The faults that stop an execution.
 
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::str::FromStr;
@@ -16,12 +18,15 @@ pub enum Fault {
     SubscriptRange,
     /// A value outside the limits of the subrange that was to hold it.
     Subrange,
-    /// The program did not end within the permitted number of steps.
-    StepLimit,
     /// A reference, pointer or variable of an interface was followed that leads nowhere.
     NullDereference,
+    /// A pointer was followed to where no variable lies, or not the whole of what it is to lead to: past the end of a variable, or to one
+    /// of a function that has returned.
+    InvalidAddress,
     /// A function or method was called while it was running.
     Recursion,
+    /// The program did not end within the permitted number of steps.
+    StepLimit,
     /// Another reason, in the compiler's own words; no case expects it.
     Own(&'static str),
 }
@@ -41,9 +46,10 @@ impl Fault {
         Fault::DivisionByZero,
         Fault::SubscriptRange,
         Fault::Subrange,
-        Fault::StepLimit,
         Fault::NullDereference,
+        Fault::InvalidAddress,
         Fault::Recursion,
+        Fault::StepLimit,
     ];
 
     /// Returns the word of the fault.
@@ -53,8 +59,9 @@ impl Fault {
             Fault::DivisionByZero => "division-by-zero",
             Fault::SubscriptRange => "subscript-range",
             Fault::Subrange => "subrange",
-            Fault::StepLimit => "step-limit",
             Fault::NullDereference => "null-dereference",
+            Fault::InvalidAddress => "invalid-address",
+            Fault::StepLimit => "step-limit",
             Fault::Recursion => "recursion",
             Fault::Own(words) => words,
         }
@@ -88,11 +95,23 @@ impl fmt::Display for Fault {
     }
 }
 
+/// A fault is written as its word, which may be one of a compiler.
+impl Serialize for Fault {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Fault {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Fault, D::Error> {
+        Cow::<'de, str>::deserialize(deserializer).map(|words| Fault::reported(&words))
+    }
+}
+
 /// The error of a word that names none of [`Fault::ALL`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `step-limit`, \
-     `null-dereference` and `recursion`"
+    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address`, `recursion` and `step-limit`"
 )]
 pub struct UnknownFault(pub String);
 

@@ -1,62 +1,42 @@
 //! The generic data types of the standard: what a function of several types takes, and a condition of a case names.
 
-use crate::ElementaryType;
+use crate::{ElementaryType, words};
 
-/// A generic data type.
-///
-/// Basis: iec-61131-3: Figure 5 (hierarchy of the generic data types).
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum GenericType {
-    /// `ANY`: every type, user-defined ones among them.
-    Any,
-    /// `ANY_ELEMENTARY`.
-    Elementary,
-    /// `ANY_SIGNED`.
-    Signed,
-    /// `ANY_UNSIGNED`.
-    Unsigned,
-    /// `ANY_INT`.
-    Int,
-    /// `ANY_REAL`.
-    Real,
-    /// `ANY_NUM`.
-    Num,
-    /// `ANY_BIT`, with BOOL.
-    Bit,
-    /// `ANY_DURATION`.
-    Duration,
-    /// `ANY_DATE`.
-    Date,
-    /// `ANY_STRING`.
-    String,
-    /// `ANY_CHARS`.
-    Chars,
-    /// `ANY_CHAR`.
-    Char,
+words! {
+    /// A generic data type, with its name.
+    ///
+    /// Basis: iec-61131-3: Figure 5 (hierarchy of the generic data types).
+    GenericType {
+        /// `ANY`: every type, user-defined ones among them.
+        Any = "ANY",
+        /// `ANY_ELEMENTARY`.
+        Elementary = "ANY_ELEMENTARY",
+        /// `ANY_SIGNED`.
+        Signed = "ANY_SIGNED",
+        /// `ANY_UNSIGNED`.
+        Unsigned = "ANY_UNSIGNED",
+        /// `ANY_INT`.
+        Int = "ANY_INT",
+        /// `ANY_REAL`.
+        Real = "ANY_REAL",
+        /// `ANY_NUM`.
+        Num = "ANY_NUM",
+        /// `ANY_BIT`, with BOOL.
+        Bit = "ANY_BIT",
+        /// `ANY_DURATION`.
+        Duration = "ANY_DURATION",
+        /// `ANY_DATE`.
+        Date = "ANY_DATE",
+        /// `ANY_STRING`.
+        String = "ANY_STRING",
+        /// `ANY_CHARS`.
+        Chars = "ANY_CHARS",
+        /// `ANY_CHAR`.
+        Char = "ANY_CHAR",
+    }
 }
 
 impl GenericType {
-    /// Returns the generic data type of a name in capital letters.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<GenericType> {
-        Some(match name {
-            "ANY" => GenericType::Any,
-            "ANY_ELEMENTARY" => GenericType::Elementary,
-            "ANY_SIGNED" => GenericType::Signed,
-            "ANY_UNSIGNED" => GenericType::Unsigned,
-            "ANY_INT" => GenericType::Int,
-            "ANY_REAL" => GenericType::Real,
-            "ANY_NUM" => GenericType::Num,
-            "ANY_BIT" => GenericType::Bit,
-            "ANY_DURATION" => GenericType::Duration,
-            "ANY_DATE" => GenericType::Date,
-            "ANY_STRING" => GenericType::String,
-            "ANY_CHARS" => GenericType::Chars,
-            "ANY_CHAR" => GenericType::Char,
-            _ => return None,
-        })
-    }
-
     /// Returns whether an elementary type is of this generic type.
     #[must_use]
     pub const fn contains(self, ty: ElementaryType) -> bool {

@@ -3,6 +3,8 @@
 use crate::elementary::ElementaryType;
 use crate::literal::{LiteralError, wide_duration};
 use crate::value::Value;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::borrow::Cow;
 
 /// The maximum number of bytes of a value that an engine gives, so that reports stay small whatever it prints. A `STRING` of 5000
 /// characters that are all written as escapes fits.
@@ -34,11 +36,26 @@ impl Value {
     }
 }
 
+/// A value is written as its typed literal.
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Value {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+        let literal = Cow::<'de, str>::deserialize(deserializer)?;
+        let observed = Value::parse_observed(&literal);
+        let value = observed.or_else(|error| Value::parse_expected(&literal).map_err(|_| error));
+        value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
+    }
+}
+
 fn out_of_range(literal: &str) -> Option<Value> {
     let (prefix, rest) = literal.split_once('#')?;
     let ty = ElementaryType::from_literal_prefix(prefix)?;
-    let is_counted = ty.is_duration() || ty.is_date_or_time();
-    let nanoseconds = wide_duration(rest).ok().filter(|_| is_counted)?;
+    let nanoseconds = wide_duration(rest).ok().filter(|_| ty.is_moment())?;
     let value = Value::of_nanoseconds(ty, nanoseconds);
     matches!(value, Value::OutOfRange { .. }).then_some(value)
 }

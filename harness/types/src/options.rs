@@ -86,6 +86,23 @@ impl PartialAccess {
 }
 
 words! {
+    /// What LEFT, RIGHT, MID, INSERT, DELETE and REPLACE do with a length or a position outside the text.
+    TextPositions {
+        /// What of the characters lies in the text counts, and no others.
+        Clipped = "clipped",
+        /// INSERT and REPLACE leave a text as it is where the position is behind it, and INSERT where it is negative; MID of a position before the text
+        /// gives no character. The rest is as clipped.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`string_positions_…`, `str_…`).
+        Kept = "kept",
+        /// A negative length and a position below 1, or of INSERT below 0, give an empty text. The rest is as clipped.
+        ///
+        /// Basis: plcnext-text: REPLACE; siemens-manual-2014: 312.
+        Empty = "empty",
+    }
+}
+
+words! {
     /// The types of the third edition that a dialect has.
     ThirdEditionTypes {
         /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
@@ -128,4 +145,33 @@ impl ThirdEditionTypes {
     }
 }
 
-choices_of_words! { Widening, }
+choices_of_words! { Widening, TextPositions, }
+
+/// Words that a dialect does not reserve though others do, in capital letters.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FreeWords(Vec<String>);
+
+impl FreeWords {
+    /// No words: all keywords and names of elementary types are reserved.
+    pub const NONE: FreeWords = FreeWords(Vec::new());
+
+    /// Returns whether a word, in any case, is one of these.
+    #[must_use]
+    pub fn contain(&self, word: &str) -> bool {
+        self.0.iter().any(|free| free.eq_ignore_ascii_case(word))
+    }
+}
+
+impl Choice for FreeWords {
+    fn state(&mut self, _: &str, value: &DeValue<'_>) -> Result<(), String> {
+        let wrong = || "must be a list of words in quotes: `[\"ON\", \"TASK\"]`".to_owned();
+        let words = value.as_array().ok_or_else(wrong)?.iter();
+        let words = words.map(|word| word.get_ref().as_str().map(str::to_ascii_uppercase));
+        self.0 = words.collect::<Option<_>>().ok_or_else(wrong)?;
+        Ok(())
+    }
+
+    fn written(&self, _: &str) -> Cow<'static, str> {
+        format!("{:?}", self.0).into()
+    }
+}

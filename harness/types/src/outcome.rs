@@ -1,6 +1,7 @@
 //! The answers of engines: the outcome of a request.
 
 use crate::{Diagnostic, Fault, Value};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// A value with the name under which it was requested (`q`, `a[1]`, `q@3`; see
@@ -8,11 +9,13 @@ use std::fmt;
 pub type NamedValue = (String, Value);
 
 /// The outcome of a request to an engine. Crashing is not rejecting.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Outcome {
     /// The program was accepted; nothing was executed.
     Accepted {
         /// The warnings, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
         warnings: Vec<Diagnostic>,
     },
     /// The program ran to the end of its last scan.
@@ -20,6 +23,7 @@ pub enum Outcome {
         /// The observed values, in the order asked for.
         values: Vec<NamedValue>,
         /// The warnings of the compiler, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
         warnings: Vec<Diagnostic>,
     },
     /// The program was rejected.
@@ -36,6 +40,7 @@ pub enum Outcome {
         /// The values observed so far.
         values: Vec<NamedValue>,
         /// The warnings of the compiler, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
         warnings: Vec<Diagnostic>,
     },
     /// The program was rendered as normalised source.

@@ -1,6 +1,7 @@
 //! Requests to engines: a program, its inputs and settings, and the variables to observe.
 
 use crate::{DialectName, Value};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -48,13 +49,21 @@ impl<'a> RunRequest<'a> {
 /// A variable whose value is requested.
 ///
 /// The names are shared, because the many cases of one table observe the same variables.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, Hash, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(
+    feature = "schema",
+    schemars(rename = "ObserveMessage", description = "A variable to observe.")
+)]
 pub struct Observation {
-    /// The variable, or a path to an elementary value: `a[1]`, `rec.field[2].x`.
+    /// The variable, or a path to an elementary value (`a[1]`, `rec.field[2].x`).
     pub name: Arc<str>,
-    /// The name of the variable's type (`INT`, `STRING`, `COLOR`), for engines that need it; empty if unknown.
+    /// The name of its type, a help for engines that must declare something.
+    #[serde(rename = "type", default, skip_serializing_if = "str::is_empty")]
     pub type_name: Arc<str>,
-    /// The scan, counted from 1, after which the value is read; 0 for the start, `None` for the last scan.
+    /// The scan (from 1) after which to look, otherwise after the last; the reply then names it `q@3`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub after: Option<u32>,
 }
 

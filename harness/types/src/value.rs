@@ -4,6 +4,9 @@ use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
 use std::fmt;
 
+/// What stands between a real number and the units in the last place by which another may differ from it.
+pub(crate) const WITHIN: &str = " within ";
+
 /// A value together with its type.
 ///
 /// Two values are equal only if their types are the same and so are their bits. That makes -0.0 differ from 0.0, and it makes a
@@ -33,6 +36,15 @@ pub enum Value {
         ty: ElementaryType,
         /// The nanoseconds, which 64 bits with sign do not hold.
         nanoseconds: i128,
+    },
+    /// A finite real number to which another is near: that of an expectation, and of nothing else. Its spelling is `REAL#1.4142135 within 2`.
+    Near {
+        /// `REAL` or `LREAL`.
+        ty: ElementaryType,
+        /// The raw form of the number.
+        raw: u64,
+        /// The number of units in the last place by which the other may differ.
+        units: u32,
     },
     /// A value of an enumeration.
     Enumerated {
@@ -65,7 +77,10 @@ impl Value {
     /// Returns the keyword of the type, or the name of the enumeration.
     pub fn type_name(&self) -> &str {
         match self {
-            Value::Plain { ty, .. } | Value::Text { ty, .. } | Value::OutOfRange { ty, .. } => ty.name(),
+            Value::Plain { ty, .. }
+            | Value::Text { ty, .. }
+            | Value::OutOfRange { ty, .. }
+            | Value::Near { ty, .. } => ty.name(),
             Value::Enumerated { type_name, .. } => type_name,
         }
     }
@@ -79,13 +94,26 @@ impl Value {
         typed[start..].to_owned()
     }
 
+    /// Returns a number as a value of `REAL`, to which it is rounded, or else of `LREAL`.
+    pub fn of_real(ty: ElementaryType, number: f64) -> Value {
+        Value::plain(ty, ty.real_bits(number))
+    }
+
+    /// Returns the number of a `REAL` or `LREAL`, exactly; `None` for values of other types.
+    pub fn real(&self) -> Option<f64> {
+        match *self {
+            Value::Plain { ty, raw } => ty.real_value(raw),
+            _ => None,
+        }
+    }
+
     /// Returns the literal that a program writes for the value where its type is expected: without the type, or with it for
     /// durations, dates and enumerations.
     pub fn literal(&self) -> String {
         match self {
-            Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
+            Value::Plain { ty, .. } if ty.is_moment() => self.to_string(),
             Value::Plain { .. } | Value::Text { .. } => self.without_type(),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => self.to_string(),
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => self.to_string(),
         }
     }
 
@@ -202,17 +230,15 @@ fn fits(value: i128, ty: ElementaryType) -> bool {
 
 /// Returns the raw form of a NaN or an infinity, if the text is one of Stickler's words for them.
 fn not_finite(rest: &str, ty: ElementaryType) -> Option<u64> {
-    let (single, double) = match rest {
-        _ if rest.eq_ignore_ascii_case("NaN") => (f32::NAN, f64::NAN),
-        _ if rest.eq_ignore_ascii_case("Infinity") => (f32::INFINITY, f64::INFINITY),
-        _ if rest.eq_ignore_ascii_case("-Infinity") => (f32::NEG_INFINITY, f64::NEG_INFINITY),
-        _ => return None,
-    };
-    Some(if ty == ElementaryType::Real {
-        u64::from(single.to_bits())
-    } else {
-        double.to_bits()
-    })
+    let words = [
+        ("NaN", f64::NAN),
+        ("Infinity", f64::INFINITY),
+        ("-Infinity", f64::NEG_INFINITY),
+    ];
+    let (_, number) = words
+        .into_iter()
+        .find(|(word, _)| rest.eq_ignore_ascii_case(word))?;
+    Some(ty.real_bits(number))
 }
 
 /// Returns the code units of a text or character, whose quotes must be those of the type.
@@ -259,6 +285,10 @@ impl fmt::Display for Value {
             Value::Plain { ty, raw } => write_plain(f, *ty, *raw),
             Value::Text { ty, units } => literal::write_text(f, units, is_wide(*ty)),
             Value::OutOfRange { nanoseconds, .. } => literal::write_nanoseconds(f, *nanoseconds),
+            Value::Near { ty, raw, units } => {
+                write_plain(f, *ty, *raw)?;
+                write!(f, "{WITHIN}{units}")
+            }
             Value::Enumerated { value_name, .. } => f.write_str(value_name),
         }
     }
@@ -286,8 +316,8 @@ fn write_plain(f: &mut fmt::Formatter<'_>, ty: ElementaryType, raw: u64) -> fmt:
 }
 
 impl PartialEq for Value {
-    fn eq(&self, other: &Value) -> bool {
-        match (self, other) {
+    fn eq(&self, other_value: &Value) -> bool {
+        match (self, other_value) {
             (
                 Value::Plain { ty, raw },
                 Value::Plain {
@@ -319,6 +349,9 @@ impl PartialEq for Value {
                     nanoseconds: other,
                 },
             ) => ty == other_ty && nanoseconds == other,
+            (Value::Near { units, .. }, Value::Near { units: other, .. }) => {
+                units == other && self.middle() == other_value.middle()
+            }
             _ => false,
         }
     }
@@ -327,9 +360,5 @@ impl PartialEq for Value {
 impl Eq for Value {}
 
 fn is_nan(ty: ElementaryType, raw: u64) -> bool {
-    match ty {
-        ElementaryType::Real => f32::from_bits(raw as u32).is_nan(),
-        ElementaryType::Lreal => f64::from_bits(raw).is_nan(),
-        _ => false,
-    }
+    ty.real_value(raw).is_some_and(f64::is_nan)
 }

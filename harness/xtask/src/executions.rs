@@ -58,7 +58,7 @@ impl Counts {
 
     /// Adds a run of a target.
     fn add(&mut self, target: FuzzTarget, executions: u64) {
-        let count = self.targets.entry(target.name().to_owned()).or_default();
+        let count = self.targets.entry(target.as_str().to_owned()).or_default();
         count.executions = count.executions.saturating_add(executions);
         count.runs += 1;
         self.total = self.total.saturating_add(executions);
@@ -77,10 +77,14 @@ fn executions(log: &str) -> Option<u64> {
 
 fn target_of(log: &Path) -> Result<FuzzTarget, String> {
     let name = log.file_stem().map(|name| name.to_string_lossy().into_owned());
-    let target = name.as_deref().and_then(FuzzTarget::from_name);
+    let target = name.as_deref().and_then(FuzzTarget::from_word);
     target.ok_or_else(|| {
-        let names = FuzzTarget::ALL.map(FuzzTarget::name).join(", ");
-        format!("{}: a log is named after its target: {names}", log.display())
+        let names: Vec<&str> = FuzzTarget::ALL.iter().map(|target| target.as_str()).collect();
+        format!(
+            "{}: a log is named after its target: {}",
+            log.display(),
+            names.join(", ")
+        )
     })
 }
 

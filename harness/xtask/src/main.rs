@@ -62,8 +62,8 @@ fn main() -> ExitCode {
 }
 
 fn targets() -> impl TypedValueParser<Value = FuzzTarget> {
-    PossibleValuesParser::new(FuzzTarget::ALL.map(FuzzTarget::name))
-        .try_map(|name| FuzzTarget::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
+    PossibleValuesParser::new(FuzzTarget::ALL.iter().map(|target| target.as_str()))
+        .try_map(|name| FuzzTarget::from_word(&name).ok_or_else(|| format!("there is no target `{name}`")))
 }
 
 /// Returns the root of the repository.

@@ -58,7 +58,7 @@ fn replay_all(
             writeln!(
                 complaints,
                 "{folder}: the folder holds no input; seed it from corpus/{}",
-                target.name()
+                target.as_str()
             )?;
         }
         for file in files {
@@ -151,8 +151,8 @@ mod tests {
 
     #[test]
     fn every_input_of_the_corpora_holds() {
-        for target in FuzzTarget::ALL {
-            let corpus = crate::root().join("corpus").join(target.name());
+        for &target in FuzzTarget::ALL {
+            let corpus = crate::root().join("corpus").join(target.as_str());
             let (summary, output, complaints) = said(target, &[corpus]);
             assert!(
                 (summary.failed, summary.unread) == (0, 0),

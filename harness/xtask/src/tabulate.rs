@@ -1,26 +1,28 @@
-//! `cargo xtask tabulate`: fills in the tables of `conformance-cases/conversion`.
+//! `cargo xtask tabulate`: fills in the tables of `conformance-cases/conversion` and `conformance-cases/blocks`.
 
-use stickler_tabulate::folder::{self, CallTable};
+use std::path::PathBuf;
+use stickler_tabulate::{blocks, folder};
 
 /// Writes the rows of the tables anew or, with `only_check`, says which differ; returns the exit code.
 pub fn execute(only_check: bool) -> u8 {
-    let tables = match folder::call_tables(&crate::root()) {
+    let tables = match tables() {
         Ok(tables) => tables,
         Err(message) => {
             eprintln!("error: {message}");
             return 2;
         }
     };
-    let differing: Vec<&CallTable> = tables.iter().filter(|table| table.differs()).collect();
-    for table in &differing {
-        let name = &table.table.name;
+    let differing = tables.iter().filter(|(_, text, wanted)| text != wanted);
+    let differing: Vec<&(PathBuf, String, String)> = differing.collect();
+    for (path, _, wanted) in &differing {
+        let name = path.file_name().unwrap_or_default().display();
         if only_check {
-            println!("differs  {name}.toml");
-        } else if let Err(error) = std::fs::write(&table.path, table.wanted()) {
-            eprintln!("error: {}: {error}", table.path.display());
+            println!("differs  {name}");
+        } else if let Err(error) = std::fs::write(path, wanted) {
+            eprintln!("error: {}: {error}", path.display());
             return 3;
         } else {
-            println!("written  {name}.toml");
+            println!("written  {name}");
         }
     }
     let done = if only_check { "differ" } else { "written" };
@@ -30,4 +32,14 @@ pub fn execute(only_check: bool) -> u8 {
         return 1;
     }
     0
+}
+
+/// Returns the path of each table, its text, and the text that it must have.
+fn tables() -> Result<Vec<(PathBuf, String, String)>, String> {
+    let root = crate::root();
+    let calls = folder::call_tables(&root)?.into_iter();
+    let calls = calls.map(|table| (table.path.clone(), table.table.text.clone(), table.wanted()));
+    let blocks = blocks::block_tables(&root)?.into_iter();
+    let blocks = blocks.map(|table| (table.path, table.text, table.wanted));
+    Ok(calls.chain(blocks).collect())
 }

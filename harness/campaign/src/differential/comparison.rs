@@ -26,23 +26,20 @@ pub(crate) enum Agreement {
     /// The engine says that it cannot do this.
     Unsupported,
     /// The engine did something else than it must.
-    Disagrees(EngineDisagreement),
-}
-
-/// The way in which an engine did something else than it must.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct EngineDisagreement {
-    /// The text of an [`OutcomeSymptom`](stickler_generate::reduce::OutcomeSymptom), which stays the same when the program is made smaller.
-    pub(crate) symptom: String,
-    /// A message for a person.
-    pub(crate) message: String,
+    Disagrees {
+        /// The text of an [`OutcomeSymptom`](stickler_generate::reduce::OutcomeSymptom), which stays the same when the program is
+        /// made smaller.
+        symptom: String,
+        /// A message for a person.
+        message: String,
+    },
 }
 
 impl Agreement {
     /// Returns the symptom of a disagreement.
     pub(crate) fn symptom(&self) -> Option<&str> {
         match self {
-            Agreement::Disagrees(disagreement) => Some(&disagreement.symptom),
+            Agreement::Disagrees { symptom, .. } => Some(symptom),
             Agreement::Agrees | Agreement::Unsupported => None,
         }
     }
@@ -58,10 +55,10 @@ pub(crate) fn compare(question: JudgedProgram<'_>, outcome: &Outcome) -> Agreeme
         }
         _ => match deviation(question.values, outcome) {
             None => Agreement::Agrees,
-            Some((symptom, message)) => Agreement::Disagrees(EngineDisagreement {
+            Some((symptom, message)) => Agreement::Disagrees {
                 symptom: symptom.to_string(),
                 message,
-            }),
+            },
         },
     }
 }

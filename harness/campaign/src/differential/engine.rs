@@ -1,6 +1,6 @@
 //! An engine of a campaign.
 
-use super::comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
+use super::comparison::{Agreement, JudgedProgram, compare};
 use crate::finding::EngineInfo;
 use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, Packed, RunRequest};
 use stickler_types::DialectName;
@@ -118,9 +118,7 @@ pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Re
     for _ in 0..ATTEMPTS {
         let outcome = ask(session, question);
         match compare(question, &outcome) {
-            Agreement::Disagrees(EngineDisagreement { message, .. }) if has_died(&outcome) => {
-                reason = message
-            }
+            Agreement::Disagrees { message, .. } if has_died(&outcome) => reason = message,
             _ => return Ok(()),
         }
     }

@@ -1,8 +1,8 @@
 //! Reduces a mismatch of an engine, runs it once more, and makes a finding of it.
 
-use super::comparison::{Agreement, EngineDisagreement};
+use super::comparison::Agreement;
 use super::describe::describe;
-use super::engine::has_died;
+use super::engine::{EngineUnderTest, has_died};
 use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
@@ -32,19 +32,13 @@ impl DifferentialWorker<'_> {
     /// Makes the program of a mismatch as small as it can be, and asks every engine about what is left.
     pub(super) fn finding(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
         let oracle = self.oracle;
-        let start = oracle.program(mismatch.place);
+        let Mismatch { place, .. } = *mismatch;
         // What was judged at this place came from it then, and comes from it again.
-        let start = start.unwrap_or_else(|| {
-            oracle
-                .inputs
-                .program(mismatch.place, &oracle.dialects, oracle.open)
-        });
-        let engines = &oracle.engines;
+        let start = oracle.program(place);
+        let start = start.unwrap_or_else(|| oracle.inputs.program(place, &oracle.dialects, oracle.open));
         // A mismatch names an engine of this campaign.
-        let index = engines
-            .iter()
-            .position(|engine| engine.identity().name == mismatch.subject)
-            .unwrap_or(0);
+        let is_meant = |engine: &EngineUnderTest<'_>| engine.identity().name == mismatch.subject;
+        let index = oracle.engines.iter().position(is_meant).unwrap_or(0);
         let stop = || !going();
         let budget = ReductionBudget {
             tries: self.tries(index, mismatch),
@@ -60,21 +54,15 @@ impl DifferentialWorker<'_> {
         };
         let reduced = reduce::program_in_packs(&start, &mut judge, &budget);
         let again = judge.shows(std::slice::from_ref(&reduced.value));
-        let again = again.first().copied().unwrap_or(Interestingness::Invalid);
-        let standing = match (reduced.ended, again) {
-            (StopReason::NotInteresting, _) => Confirmation::Flaky,
-            (_, Interestingness::Interesting) => Confirmation::Confirmed,
-            _ => Confirmation::Flaky,
-        };
+        let is_seen = reduced.ended != StopReason::NotInteresting && again == [Interestingness::Interesting];
         // What was seen once and not again is kept as it was found: a part of it may be nothing at all.
-        let program = if standing == Confirmation::Flaky {
-            start.clone()
-        } else {
-            reduced.value
+        let (standing, program) = match is_seen {
+            true => (Confirmation::Confirmed, reduced.value),
+            false => (Confirmation::Flaky, start.clone()),
         };
         let origin = FindingOrigin {
             seed: oracle.inputs.seed(),
-            place: mismatch.place,
+            place,
             open: oracle.open,
             smallest: reduced.ended == StopReason::Smallest && self.gone(index).is_none(),
             tries: reduced.tries,
@@ -122,21 +110,16 @@ impl DifferentialWorker<'_> {
                 SeenAgain::default(),
             ),
         };
-        let SeenAgain {
-            outcomes,
-            message,
-            cause,
-        } = seen;
         let is_small = standing == Confirmation::Confirmed && origin.smallest;
         let finding = Finding {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: FuzzTarget::Differential.name().to_owned(),
+            target: FuzzTarget::Differential.as_str().to_owned(),
             engine: Some(self.oracle.engines[index].info()),
             symptom: mismatch.symptom.clone(),
             rule,
-            cause: cause.filter(|_| is_small),
+            cause: seen.cause.filter(|_| is_small),
             dialect: Some(dialect.as_str().to_owned()),
             standing,
             origin: FindingOrigin {
@@ -144,9 +127,9 @@ impl DifferentialWorker<'_> {
                 size: lines(&text),
                 ..origin
             },
-            message: message.unwrap_or_else(|| self.unseen(index, mismatch)),
+            message: seen.message.unwrap_or_else(|| self.unseen(index, mismatch)),
             expected,
-            outcomes,
+            outcomes: seen.outcomes,
             reproduce: Vec::new(),
             fingerprint: String::new(),
             program: Some(text),
@@ -170,14 +153,12 @@ impl DifferentialWorker<'_> {
             }
             let asked = engine.info();
             let (outcome, agreement) = self.hold(other, subject);
-            match agreement {
-                Agreement::Disagrees(EngineDisagreement { symptom, message })
-                    if other == index && symptom == mismatch.symptom =>
-                {
-                    seen.message = Some(message);
-                    seen.cause = cause(subject, &outcome);
-                }
-                _ => {}
+            if let Agreement::Disagrees { symptom, message } = agreement
+                && other == index
+                && symptom == mismatch.symptom
+            {
+                seen.message = Some(message);
+                seen.cause = cause(subject, &outcome);
             }
             seen.outcomes.push(describe(asked, &outcome));
         }

@@ -68,17 +68,13 @@ impl<'b> DifferentialWorker<'b> {
     /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so. Returns whether the engine
     /// lives.
     fn ask_all(&mut self, index: usize, inputs: &mut [JudgedInput], going: &dyn Fn() -> bool) -> bool {
-        let speaks = |input: &JudgedInput| {
-            let subject = input.subject.as_ref();
-            subject.is_some_and(|subject| {
-                self.oracle.engines[index]
-                    .identity()
-                    .speaks(subject.program.dialect)
-            })
+        let identity = self.oracle.engines[index].identity();
+        let speaks = |number: &usize| {
+            inputs[*number]
+                .dialect()
+                .is_some_and(|dialect| identity.speaks(dialect))
         };
-        let mut alone: Vec<usize> = (0..inputs.len())
-            .filter(|&number| speaks(&inputs[number]))
-            .collect();
+        let mut alone: Vec<usize> = (0..inputs.len()).filter(speaks).collect();
         if self.pack_size(index) > 1 {
             return self.ask_in_packs(index, alone, inputs, going);
         }
@@ -108,20 +104,14 @@ impl<'b> DifferentialWorker<'b> {
         inputs: &mut [JudgedInput],
         going: &dyn Fn() -> bool,
     ) -> bool {
-        let dialect = |number: &usize| {
-            let subject = inputs[*number].subject.as_ref();
-            subject.map(|subject| subject.program.dialect)
-        };
+        let dialect = |number: &usize| inputs[*number].dialect();
         numbers.sort_by_key(dialect);
         let groups: Vec<Vec<usize>> = numbers
             .chunk_by(|one, other| dialect(one) == dialect(other))
             .map(<[usize]>::to_vec)
             .collect();
         groups.iter().all(|group| {
-            let subjects: Vec<&EvaluatedProgram> = group
-                .iter()
-                .filter_map(|&number| inputs[number].subject.as_ref())
-                .collect();
+            let subjects = subjects(group, inputs);
             let outcomes = self.hold_all(index, &subjects, going);
             let mut all = group.iter().zip(outcomes);
             all.all(|(&number, outcome)| {
@@ -162,10 +152,7 @@ impl<'b> DifferentialWorker<'b> {
         if let [one] = numbers {
             return going() && self.ask_alone(index, &mut inputs[*one]);
         }
-        let subjects: Vec<&EvaluatedProgram> = numbers
-            .iter()
-            .filter_map(|&number| inputs[number].subject.as_ref())
-            .collect();
+        let subjects = subjects(numbers, inputs);
         let Some(pack) = Pack::of(&subjects) else {
             return true;
         };
@@ -280,7 +267,19 @@ impl<'b> DifferentialWorker<'b> {
     }
 }
 
+/// Returns the programs of these inputs.
+fn subjects<'i>(numbers: &[usize], inputs: &'i [JudgedInput]) -> Vec<&'i EvaluatedProgram> {
+    numbers
+        .iter()
+        .filter_map(|&number| inputs[number].subject.as_ref())
+        .collect()
+}
+
 impl JudgedInput {
+    fn dialect(&self) -> Option<DialectName> {
+        self.subject.as_ref().map(|subject| subject.program.dialect)
+    }
+
     /// Returns the verdict. Where programs are `open`, one that no document settles is judged too: only crashes and hangs count.
     fn into_verdict(self, open: bool) -> InputVerdict {
         let mut verdict = self.verdict;

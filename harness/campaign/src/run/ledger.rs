@@ -10,34 +10,27 @@ use std::time::Duration;
 /// The counts and findings of a campaign. Verdicts are entered in the order of their places.
 #[derive(Default)]
 pub(super) struct Ledger {
-    programs: u64,
-    passed_over: BTreeMap<&'static str, u64>,
-    disagreements: BTreeMap<(String, String), u64>,
-    deaths: u64,
-    findings: BTreeMap<String, Finding>,
-    times: BTreeMap<String, u64>,
+    summary: CampaignSummary,
     /// The number of mismatches that were given out to be reduced, by subject and symptom.
     reduced: BTreeMap<(String, String), u64>,
-    left: u64,
-    lost: Option<String>,
 }
 
 impl Ledger {
     /// Counts a verdict, and returns those of its mismatches that are to be reduced.
     pub(super) fn enter(&mut self, verdict: InputVerdict) -> Vec<Mismatch> {
-        self.programs += 1;
-        self.deaths += verdict.deaths;
+        self.summary.programs += 1;
+        self.summary.deaths += verdict.deaths;
         if let Some(word) = verdict.passed_over {
-            *self.passed_over.entry(word).or_default() += 1;
+            *self.summary.passed_over.entry(word).or_default() += 1;
         }
         let mut reduced = Vec::new();
         for mismatch in verdict.mismatches {
-            let number = self.disagreements.entry(key(&mismatch)).or_default();
+            let number = self.summary.disagreements.entry(key(&mismatch)).or_default();
             *number += 1;
             if is_reduced(*number) {
                 reduced.push(mismatch);
             } else {
-                self.left += 1;
+                self.summary.left += 1;
             }
         }
         reduced
@@ -46,21 +39,18 @@ impl Ledger {
     /// Takes a finding. Returns it where it is new, or better than the earlier one of its name.
     pub(super) fn found(&mut self, finding: Finding) -> Option<&Finding> {
         let id = finding.id.clone();
-        *self.times.entry(id.clone()).or_default() += 1;
-        if self
-            .findings
-            .get(&id)
-            .is_some_and(|known| !finding.improves_on(known))
-        {
+        *self.summary.times.entry(id.clone()).or_default() += 1;
+        let findings = &mut self.summary.findings;
+        if findings.get(&id).is_some_and(|known| !finding.improves_on(known)) {
             return None;
         }
-        self.findings.insert(id.clone(), finding);
-        self.findings.get(&id)
+        findings.insert(id.clone(), finding);
+        findings.get(&id)
     }
 
     /// Returns whether a finding that was confirmed probably has the cause of a mismatch.
     pub(super) fn explains(&self, mismatch: &Mismatch) -> bool {
-        let mut findings = self.findings.values();
+        let mut findings = self.summary.findings.values();
         findings
             .any(|finding| finding.standing == Confirmation::Confirmed && mismatch.is_explained_by(finding))
     }
@@ -77,40 +67,35 @@ impl Ledger {
 
     /// Counts disagreements that are not reduced.
     pub(super) fn leave(&mut self, number: usize) {
-        self.left += number as u64;
+        self.summary.left += number as u64;
     }
 
     /// Notes that an engine can no longer be used.
     pub(super) fn lost(&mut self, reason: String) {
-        self.lost.get_or_insert(reason);
+        if self.summary.ended == CampaignEnd::Done {
+            self.summary.ended = CampaignEnd::Lost(reason);
+        }
     }
 
     /// Returns the progress of the campaign.
     pub(super) fn progress(&self) -> CampaignProgress {
         CampaignProgress {
-            programs: self.programs,
-            disagreements: self.disagreements.values().sum(),
-            findings: self.findings.len() as u64,
+            programs: self.summary.programs,
+            disagreements: self.summary.disagreements.values().sum(),
+            findings: self.summary.findings.len() as u64,
         }
     }
 
     /// Returns the result of the campaign.
     pub(super) fn summary(self, elapsed: Duration, interrupted: bool) -> CampaignSummary {
-        let ended = match self.lost {
-            Some(reason) => CampaignEnd::Lost(reason),
-            None if interrupted => CampaignEnd::Interrupted,
-            None => CampaignEnd::Done,
+        let ended = match self.summary.ended {
+            CampaignEnd::Done if interrupted => CampaignEnd::Interrupted,
+            ended => ended,
         };
         CampaignSummary {
-            programs: self.programs,
-            passed_over: self.passed_over,
-            disagreements: self.disagreements,
-            deaths: self.deaths,
-            findings: self.findings,
-            times: self.times,
-            left: self.left,
             ended,
             elapsed,
+            ..self.summary
         }
     }
 }

@@ -20,30 +20,24 @@ pub(super) enum CampaignTask {
     Reduce(Mismatch),
 }
 
+/// A task that was done.
+pub(super) struct Done {
+    /// What came of the task.
+    pub(super) result: TaskResult,
+    /// The reason for which an engine can no longer be used, or Stickler itself.
+    pub(super) lost: Option<String>,
+    /// The time that the task took.
+    pub(super) took: Duration,
+}
+
 /// The result of a task.
-pub(super) enum Done {
-    /// A batch was judged.
-    Judged {
-        /// The number of the batch.
-        number: usize,
-        /// The verdicts in the order of the places; fewer than places where the campaign ends.
-        verdicts: Vec<InputVerdict>,
-        /// The reason for which an engine can no longer be used.
-        lost: Option<String>,
-        /// The time that it took.
-        took: Duration,
-    },
-    /// A mismatch was reduced.
-    Reduced {
-        /// The finding that came of it.
-        finding: Box<Finding>,
-        /// The reason for which an engine can no longer be used.
-        lost: Option<String>,
-        /// The time that it took.
-        took: Duration,
-    },
-    /// Stickler itself panicked over a task, which has no result; holds the message.
-    Panicked(String),
+pub(super) enum TaskResult {
+    /// The batch of this number was judged, with verdicts in the order of the places; fewer than places where the campaign ends.
+    Judged(usize, Vec<InputVerdict>),
+    /// A mismatch was reduced to a finding.
+    Reduced(Box<Finding>),
+    /// Stickler itself panicked over the task, which has no result.
+    Panicked,
 }
 
 impl CampaignTask {
@@ -52,24 +46,26 @@ impl CampaignTask {
         let what = self.to_string();
         let begun = Instant::now();
         // A worker that has panicked judges nothing more, for the campaign ends.
-        let done = catch_unwind(AssertUnwindSafe(|| match self {
-            CampaignTask::Judge { number, places } => Done::Judged {
-                number,
-                verdicts: worker.judge(&places, &|| clock.judges()),
-                lost: worker.lost(),
-                took: begun.elapsed(),
-            },
-            CampaignTask::Reduce(mismatch) => Done::Reduced {
-                finding: Box::new(worker.reduce(&mismatch, &|| clock.reduces())),
-                lost: worker.lost(),
-                took: begun.elapsed(),
-            },
+        let done = catch_unwind(AssertUnwindSafe(|| {
+            let result = match self {
+                CampaignTask::Judge { number, places } => {
+                    TaskResult::Judged(number, worker.judge(&places, &|| clock.judges()))
+                }
+                CampaignTask::Reduce(mismatch) => {
+                    TaskResult::Reduced(Box::new(worker.reduce(&mismatch, &|| clock.reduces())))
+                }
+            };
+            (result, worker.lost())
         }));
-        done.unwrap_or_else(|_| {
-            Done::Panicked(format!(
-                "Stickler itself panicked {what}; that is a defect of Stickler"
-            ))
-        })
+        let (result, lost) = done.unwrap_or_else(|_| {
+            let defect = format!("Stickler itself panicked {what}; that is a defect of Stickler");
+            (TaskResult::Panicked, Some(defect))
+        });
+        Done {
+            result,
+            lost,
+            took: begun.elapsed(),
+        }
     }
 }
 

@@ -1,16 +1,16 @@
 //! Reduces a mismatch of the reference, judges it once more, and makes a finding of it.
 
+use super::TargetOracle;
 use super::reduced::Small;
-use super::worker::TargetWorker;
 use crate::finding::{Confirmation, ExpectedBehavior, FORMAT, Finding, FindingOrigin};
 use crate::oracle::Mismatch;
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
-impl TargetWorker<'_> {
+impl TargetOracle {
     /// Reduces the input of a mismatch, and makes a finding of it.
     pub(super) fn finding(&self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
-        let target = self.oracle.target(mismatch.place);
-        let input = self.oracle.input(mismatch.place);
+        let target = self.target(mismatch.place);
+        let input = self.input(mismatch.place);
         let found = target.judge(&input).err();
         let small = Small::of(target, &input, &mismatch.symptom, going);
         let standing = match small.failure {
@@ -22,7 +22,7 @@ impl TargetWorker<'_> {
         let failure = small.failure.as_ref().or(found.as_ref());
         let program = text(target, failure, &small.input);
         let origin = FindingOrigin {
-            seed: self.oracle.inputs.seed(),
+            seed: self.inputs.seed(),
             place: mismatch.place,
             open: false,
             smallest: small.smallest,
@@ -38,7 +38,7 @@ impl TargetWorker<'_> {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: target.name().to_owned(),
+            target: target.as_str().to_owned(),
             engine: None,
             symptom: mismatch.symptom.clone(),
             rule: small.rule,
@@ -59,7 +59,7 @@ impl TargetWorker<'_> {
         }
         .named();
         Finding {
-            reproduce: self.oracle.commands.of(&finding),
+            reproduce: self.commands.of(&finding),
             ..finding
         }
     }

@@ -5,12 +5,7 @@ use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
 use stickler_generate::oracles::InputOutcome;
 
-/// A worker of a [`TargetOracle`].
-pub(super) struct TargetWorker<'b> {
-    pub(super) oracle: &'b TargetOracle,
-}
-
-impl Worker for TargetWorker<'_> {
+impl Worker for &TargetOracle {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
         let going = places.iter().take_while(|_| going());
         going.map(|&place| self.judge_one(place)).collect()
@@ -21,17 +16,17 @@ impl Worker for TargetWorker<'_> {
     }
 }
 
-impl TargetWorker<'_> {
+impl TargetOracle {
     fn judge_one(&self, place: u64) -> InputVerdict {
-        let target = self.oracle.target(place);
+        let target = self.target(place);
         let mut verdict = InputVerdict::agreed(place);
-        let input = self.oracle.input(place);
+        let input = self.input(place);
         match target.judge(&input) {
             Ok(InputOutcome::Checked) => {}
             Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
             Err(failure) => verdict.mismatches.push(Mismatch {
                 place,
-                subject: target.name().to_owned(),
+                subject: target.as_str().to_owned(),
                 symptom: failure.symptom,
                 rule: Vec::new(),
                 size: input.len(),

@@ -17,6 +17,8 @@ pub enum Defect {
     DiesEvery(u64),
     /// Dies over every request from the first program with this word on.
     DiesForEverOver(&'static str),
+    /// Rejects programs with one of these texts.
+    Rejects(&'static [&'static str]),
     /// No defect.
     None,
 }
@@ -99,7 +101,12 @@ impl Session for DefectiveSession<'_> {
                 self.engine.life.store(0, Ordering::Relaxed);
                 true
             }
-            Defect::DiesForEverOver(_) | Defect::Mistakes(..) | Defect::None => false,
+            Defect::Rejects(texts) if texts.iter().any(|text| source.contains(text)) => {
+                return Outcome::Rejected {
+                    diagnostics: Vec::new(),
+                };
+            }
+            Defect::DiesForEverOver(_) | Defect::Mistakes(..) | Defect::Rejects(_) | Defect::None => false,
         };
         let dies = dies || number > self.engine.life.load(Ordering::Relaxed);
         if dies {

@@ -3,3 +3,4 @@
 mod engines;
 mod finding;
 mod reproducible;
+mod survey;

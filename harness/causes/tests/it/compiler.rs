@@ -138,7 +138,7 @@ impl Session for Running<'_> {
             asked.len() - 1
         };
         match self.0.rejects_every {
-            every if every > 0 && number.is_multiple_of(every) => rejected(vec![Diagnostic {
+            every if every > 0 && number.is_multiple_of(every) => Outcome::rejected(vec![Diagnostic {
                 line: Some(1),
                 column: Some(1),
                 message: "the dice said no".to_owned(),
@@ -160,7 +160,7 @@ impl Session for Running<'_> {
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
         let text = match stickler_reference::render(source, dialect) {
             Ok(text) => text,
-            Err(diagnostics) => return rejected(diagnostics),
+            Err(diagnostics) => return Outcome::rejected(diagnostics),
         };
         let mut replaced = self.0.defects.renders.iter();
         let text = replaced.find_map(|(from, into)| text.contains(from).then(|| text.replace(from, into)));
@@ -186,7 +186,7 @@ impl RejectedLine {
             line: None,
             ..first.clone()
         };
-        Some(rejected(if self.twice {
+        Some(Outcome::rejected(if self.twice {
             vec![first, again]
         } else {
             vec![first]
@@ -285,8 +285,4 @@ impl Defects {
             other => other,
         }
     }
-}
-
-fn rejected(diagnostics: Vec<Diagnostic>) -> Outcome {
-    Outcome::Rejected { diagnostics }
 }

@@ -5,8 +5,8 @@
 //! | `name` | what is shown, as a sentence |
 //! | `compiler` | [`Defects`]; `poses_as` the compiler for whose documents Stickler's own sources speak, `knows_no` codes |
 //! | `cases` | `has` the declarations of PROGRAM main and what it `does`, or its whole `program`; what `must` happen; its `basis`; the `place` of its value: source, target and surrounding |
-//! | `titles` | the number of cases and the title of each cause that must be found; `*` stands for anything |
-//! | `cause` | properties of the first cause, where `*` stands for anything; `program, not` is one that is not shown |
+//! | `titles` | the number of cases and the title of each cause that must be found; `…` stands for anything |
+//! | `cause` | properties of the first cause, where `…` stands for anything; `program, not` is one that is not shown |
 //! | `editions` | whether each case is one of the second edition too |
 //! | `questions` | the maximum number of questions of the search |
 //! | `most_runs`, `once` | how many programs are run at most; a text of which one program alone is run |
@@ -18,6 +18,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use stickler_causes::SearchLimits;
+use stickler_mdtest::fits;
 use stickler_run::{Cause, Fact};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue, Placement, Suite, Wanted,
@@ -152,13 +153,13 @@ impl PlantedDefect {
             && titles
                 .iter()
                 .zip(&self.titles)
-                .all(|(title, said)| matches(said, title));
+                .all(|(title, said)| fits(said, title));
         if !is_as_said {
             mistakes.push(format!("titles: {titles:#?}"));
         }
         for (key, said) in &self.cause {
             let is = found.first().map_or(String::new(), |first| property(first, key));
-            if matches(said, &is) == key.ends_with("not") {
+            if fits(said, &is) == key.ends_with("not") {
                 mistakes.push(format!("{key} = {is:?}"));
             }
         }
@@ -227,16 +228,6 @@ fn reproduction_mistakes(cause: &Cause) -> Vec<String> {
         }
     }
     mistakes
-}
-
-/// Returns whether a text is as said, where `*` stands for anything.
-fn matches(said: &str, text: &str) -> bool {
-    match said.split_once('*') {
-        None => said == text,
-        Some((before, behind)) => text.strip_prefix(before).is_some_and(|rest| {
-            (0..=rest.len()).any(|at| rest.get(at..).is_some_and(|rest| matches(behind, rest)))
-        }),
-    }
 }
 
 /// Returns the defects of a file.

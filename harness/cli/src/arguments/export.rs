@@ -2,7 +2,6 @@
 
 use super::numbers::whole;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use stickler_export::ExtraCases;
 use stickler_types::DialectName;
@@ -13,9 +12,13 @@ pub struct ExportArguments {
     /// The folder to write: an empty one, one that is not there yet, or that of an earlier export, which is replaced
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// The dialect of the cases
-    #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
-    pub dialect: DialectName,
+    /// The dialect of the cases; with --plain it may be left out, for all of them
+    #[arg(long, value_name = "DIALECT", value_parser = super::dialects(), required_unless_present = "plain")]
+    pub dialect: Option<DialectName>,
+    /// Instead of pages, write cases.jsonl, one line of JSON for each case, and a file of Structured Text for each that can be
+    /// tried by hand
+    #[arg(long, conflicts_with_all = ["recording", "cases_per_page", "with", "panes", "plcopen", "without", "sample"])]
+    pub plain: bool,
     /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
@@ -33,7 +36,7 @@ pub struct ExportArguments {
     pub cases_per_page: u16,
     /// Beside programs that must be accepted, also those that no document decides about (`open`), or those that must be
     /// rejected (`rejected`), whose pages are only compiled: on pages of their own; may be repeated
-    #[arg(long, value_name = "KIND", value_parser = kinds(), hide_possible_values = true)]
+    #[arg(long, value_name = "KIND", value_parser = super::one_of(ExtraCases::ALL, ExtraCases::as_str), hide_possible_values = true)]
     pub with: Vec<ExtraCases>,
     /// Leave out the case of this id; may be repeated
     #[arg(long, value_name = "CASE")]
@@ -92,11 +95,4 @@ pub struct ImportArguments {
     /// The day of the recording, such as 2026-11-24 [default: today]
     #[arg(long, value_name = "DATE", requires = "record")]
     pub date: Option<String>,
-}
-
-fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
-    PossibleValuesParser::new(ExtraCases::ALL.map(ExtraCases::as_str)).map(|word| match word.as_str() {
-        "open" => ExtraCases::Open,
-        _ => ExtraCases::Rejected,
-    })
 }

@@ -3,7 +3,7 @@
 use super::dialects;
 use super::numbers::whole;
 use clap::Args;
-use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
+use clap::builder::NonEmptyStringValueParser;
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_generate::oracles::FuzzTarget;
@@ -15,7 +15,7 @@ use stickler_workers::Shard;
 pub struct FuzzArguments {
     /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
     /// convert, literal, parse]
-    #[arg(long, value_name = "TARGET", value_parser = targets(), conflicts_with_all = ["engine", "dialect"])]
+    #[arg(long, value_name = "TARGET", value_parser = super::one_of(targets(), FuzzTarget::as_str), conflicts_with_all = ["engine", "dialect"])]
     pub target: Vec<FuzzTarget>,
     /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
     /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
@@ -110,12 +110,9 @@ pub struct MergeArguments {
     pub output: PathBuf,
 }
 
-fn targets() -> impl TypedValueParser<Value = FuzzTarget> {
-    let names = FuzzTarget::ALL
-        .into_iter()
-        .filter(|target| *target != FuzzTarget::Differential);
-    PossibleValuesParser::new(names.map(FuzzTarget::name))
-        .try_map(|name| FuzzTarget::from_name(&name).ok_or_else(|| format!("there is no target `{name}`")))
+fn targets() -> impl Iterator<Item = FuzzTarget> {
+    let all = FuzzTarget::ALL.iter().copied();
+    all.filter(|target| *target != FuzzTarget::Differential)
 }
 
 /// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.

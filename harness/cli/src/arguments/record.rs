@@ -3,7 +3,6 @@
 use super::dialects;
 use super::numbers::whole;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use stickler_conversions::recording::RecordedSection;
 use stickler_types::DialectName;
@@ -21,7 +20,7 @@ pub struct RecordArguments {
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
     /// Only this section: implicit, bits, comparisons or functions; may be repeated [default: all]. What FILE holds of the others stays
-    #[arg(long, value_name = "SECTION", value_parser = sections(), hide_possible_values = true)]
+    #[arg(long, value_name = "SECTION", value_parser = super::one_of(RecordedSection::ALL.iter().copied(), RecordedSection::as_str), hide_possible_values = true)]
     pub only: Vec<RecordedSection>,
     /// The name of the compiler [default: that of the engine]
     #[arg(long, value_name = "TEXT")]
@@ -35,12 +34,4 @@ pub struct RecordArguments {
     /// Ask N programs at a time [default: one a processor]
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
-}
-
-fn sections() -> impl TypedValueParser<Value = RecordedSection> {
-    PossibleValuesParser::new(RecordedSection::ALL.map(RecordedSection::as_str)).try_map(|word| {
-        let mut sections = RecordedSection::ALL.into_iter();
-        let named = sections.find(|section| section.as_str() == word);
-        named.ok_or("no section of a recording has this name")
-    })
 }

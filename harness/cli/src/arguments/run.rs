@@ -20,7 +20,7 @@ pub struct RunArguments {
     pub engine: Vec<String>,
     /// Demand this exactness of a rejection or a fault: `code` (the right codes on the right lines), `line`, or
     /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
-    #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
+    #[arg(long, value_name = "GRADE", value_parser = super::one_of(Grade::ALL, Grade::as_str), hide_possible_values = true)]
     pub strict: Option<Grade>,
     /// Fail a compiler that misses one of Stickler's own rules (`stickler list --sources`); without it, such a case differs
     #[arg(long)]
@@ -80,8 +80,4 @@ pub struct RunArguments {
 /// Reads the service for whose annotations unexpected results are written: `true` for GitHub, `false` for none.
 fn annotations() -> impl TypedValueParser<Value = bool> {
     PossibleValuesParser::new(["github", "off"]).map(|name| name == "github")
-}
-
-fn grades() -> impl TypedValueParser<Value = Grade> {
-    PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
 }

@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{BufReader, Write};
 use std::path::{Path, PathBuf};
 use stickler_engines::Reference;
-use stickler_report::events::{self, Completeness};
+use stickler_report::events::Reader;
 use stickler_run::{Baseline, Blessing, ChangeKind, EngineRun, EntryChange, Event, Verdict, bless};
 use stickler_suite::Suite;
 use stickler_types::{DialectName, counted};
@@ -51,29 +51,31 @@ type Runs = (Date, Vec<EngineRun>);
 
 /// Reads the event log of a run; returns the dialects of stickler.toml that take part, and the run.
 fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
-    let log = match report.extension() {
+    let path = match report.extension() {
         Some(extension) if extension == "jsonl" => report.to_owned(),
         _ => report.join("events.jsonl"),
     };
-    let shown = log.display();
-    let file = fs::File::open(&log).with_context(|| format!("cannot read {shown}; a run writes it"))?;
+    let shown = path.display();
+    let file = fs::File::open(&path).with_context(|| format!("cannot read {shown}; a run writes it"))?;
     let mut day = None;
     let mut runs: Vec<EngineRun> = Vec::new();
     let mut dialects: Vec<DialectName> = Vec::new();
-    let completeness = events::read(BufReader::new(file), &mut |event| match event {
-        Event::Header(header) => {
-            day = header.started.get(..10).and_then(|day| day.parse::<Date>().ok());
-            runs = header.engines.into_iter().map(EngineRun::new).collect();
-            let defined = header.defined.iter();
-            dialects = defined.filter_map(|defined| defined.name.parse().ok()).collect();
+    let mut log = Reader::new(BufReader::new(file));
+    for event in &mut log {
+        match event.with_context(|| format!("cannot read {shown}"))? {
+            Event::Header(header) => {
+                day = header.started.get(..10).and_then(|day| day.parse::<Date>().ok());
+                runs = header.engines.into_iter().map(EngineRun::new).collect();
+                let defined = header.defined.iter();
+                dialects = defined.filter_map(|defined| defined.name.parse().ok()).collect();
+            }
+            Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
+            Event::Cause(cause) => runs.iter_mut().for_each(|run| run.take_cause(cause.clone())),
+            Event::Footer(_) => {}
         }
-        Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
-        Event::Cause(cause) => runs.iter_mut().for_each(|run| run.take_cause(cause.clone())),
-        Event::Footer(_) => {}
-    })
-    .with_context(|| format!("cannot read {shown}"))?;
-    if let Completeness::Truncated { .. } = completeness {
-        bail!("{shown}: {completeness}; a baseline is rewritten from a whole run, so run it again");
+    }
+    if let Err(truncated) = log.check_complete() {
+        bail!("{shown}: {truncated}; a baseline is rewritten from a whole run, so run it again");
     }
     let day = day.with_context(|| format!("{shown} does not say when its run began"))?;
     Ok((dialects, (day, runs)))

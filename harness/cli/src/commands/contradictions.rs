@@ -30,8 +30,7 @@ pub fn execute(arguments: &ContradictionsArguments, out: &mut dyn Write) -> anyh
         output::note("no question on which sources differ has all of these words");
     }
     if arguments.json {
-        serde_json::to_writer(&mut *out, &found)?;
-        writeln!(out)?;
+        output::json_line(out, &found)?;
     } else {
         found.write(out)?;
     }

@@ -92,12 +92,8 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
         }
     }
-    Ok(
-        match results.iter().any(|results| results.contradict(engines.len())) {
-            true => Exit::Failures,
-            false => Exit::AsExpected,
-        },
-    )
+    let contradict = results.iter().any(|results| results.contradict(engines.len()));
+    Ok(Exit::Failures.when(contradict))
 }
 
 /// What the folder of cases holds on a function.
@@ -118,15 +114,11 @@ struct Known {
 /// # Errors
 /// A folder of cases that was named and is not there, or a recording that cannot be read.
 fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Known> {
-    let folder = match CaseFolder::locate(arguments.cases.as_deref()) {
-        Ok(folder) => folder,
-        Err(error) if arguments.cases.is_some() => return Err(error),
-        Err(_) => {
-            output::note(
-                "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
-            );
-            return Ok(Known::default());
-        }
+    let Some(folder) = CaseFolder::locate_any(arguments.cases.as_deref())? else {
+        output::note(
+            "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
+        );
+        return Ok(Known::default());
     };
     let suite = folder.load_mentioning(function);
     let recordings = match arguments.recorded || arguments.engine.is_empty() {

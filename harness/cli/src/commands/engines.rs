@@ -2,7 +2,7 @@
 
 use crate::arguments::EnginesArguments;
 use crate::exit::Exit;
-use crate::output::BOLD;
+use crate::output::{self, BOLD};
 use crate::{engines, interrupt};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -30,15 +30,12 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
     }
     for (number, engine) in listed.iter().enumerate() {
         match arguments.json {
-            true => write_json(engine, out)?,
+            true => output::json_line(out, engine)?,
             false => write_entry(engine, number > 0, out)?,
         }
     }
     let missing = listed.iter().any(|engine| engine.problem.is_some());
-    Ok(match missing && !arguments.engine.is_empty() {
-        true => Exit::EngineNotRun,
-        false => Exit::AsExpected,
-    })
+    Ok(Exit::EngineNotRun.when(missing && !arguments.engine.is_empty()))
 }
 
 /// Searches for all engines at once: each asks a compiler for its version, and some compilers take a second to answer.
@@ -144,11 +141,6 @@ fn problem(error: &EngineError) -> String {
         EngineError::NotStarted { reason, .. } => reason.clone(),
         EngineError::SpeaksNone { .. } => error.to_string(),
     }
-}
-
-fn write_json(engine: &ListedEngine<'_>, out: &mut dyn Write) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, engine)?;
-    writeln!(out)
 }
 
 /// The width of the column of labels, in characters.

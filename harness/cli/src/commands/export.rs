@@ -9,7 +9,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use stickler_conversions::recording::{all_questions, program_of};
-use stickler_export::{ANSWERS, ExportPlan, Exported, ExtraCases, ProjectPlan, export};
+use stickler_export::{ANSWERS, CASES, ExportPlan, Exported, ExtraCases, ProjectPlan, export, export_plain};
 use stickler_run::{Filter, select};
 use stickler_suite::{Acceptance, Case, Expectation};
 use stickler_types::{DialectName, Question, counted};
@@ -19,17 +19,62 @@ use stickler_types::{DialectName, Question, counted};
 /// # Errors
 /// A folder that holds other files, or cannot be written; no folder of cases.
 pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    if arguments.recording {
-        return export_questions(arguments, out);
+    let Some(dialect) = arguments.dialect else {
+        return export_cases(arguments, out);
+    };
+    match (arguments.plain, arguments.recording) {
+        (true, _) => export_cases(arguments, out),
+        (false, true) => export_questions(dialect, arguments, out),
+        (false, false) => export_pages(dialect, arguments, out),
     }
+}
+
+/// Writes cases as lines of JSON and files of Structured Text.
+///
+/// # Errors
+/// As [`execute`].
+fn export_cases(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let selection = SelectionArguments {
+    let plan = run_plan::plan(&selection(arguments), None);
+    let Loaded { suite, .. } = folder.load_for(&plan, &[])?;
+    let selected: Vec<&Case> = select(&plan, &suite.cases);
+    if selected.is_empty() {
+        return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
+    }
+    let exported = export_plain(&selected, &suite.sources, &arguments.folder)?;
+    let cases = counted(exported.cases as u64, "case", "cases");
+    let programs = counted(exported.programs as u64, "file", "files");
+    writeln!(
+        out,
+        "{}: {cases} in {CASES}, {programs} of Structured Text in programs",
+        arguments.folder.display()
+    )?;
+    for (reason, cases) in &exported.without {
+        writeln!(out, "  {cases:>6} have no file: {reason}")?;
+    }
+    Ok(case_folder::exit_of(&suite))
+}
+
+fn selection(arguments: &ExportArguments) -> SelectionArguments {
+    SelectionArguments {
         cases: arguments.cases.clone(),
         filter: arguments.filter.clone().into_iter().collect(),
-        exclude: Vec::new(),
-        dialect: vec![arguments.dialect],
-    };
-    let plan = run_plan::plan(&selection, None);
+        dialect: arguments.dialect.into_iter().collect(),
+        ..SelectionArguments::default()
+    }
+}
+
+/// Writes the pages of cases.
+///
+/// # Errors
+/// As [`execute`].
+fn export_pages(
+    dialect: DialectName,
+    arguments: &ExportArguments,
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let plan = run_plan::plan(&selection(arguments), None);
     let Loaded { suite, defined, .. } = folder.load_for(&plan, &[])?;
     let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
@@ -38,12 +83,12 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     let plan = ExportPlan {
         defined: defined
             .into_iter()
-            .find(|defined| defined.name == arguments.dialect.as_str()),
+            .find(|defined| defined.name == dialect.as_str()),
         suite: suite.version.clone(),
-        ..export_plan(arguments, &selected)
+        ..export_plan(dialect, arguments, &selected)
     };
     let exported = export(&plan, &selected, &arguments.folder)?;
-    show(&exported, arguments, out)?;
+    show(&exported, dialect, arguments, out)?;
     Ok(exit(&exported).worst(case_folder::exit_of(&suite)))
 }
 
@@ -51,11 +96,15 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
 ///
 /// # Errors
 /// As [`execute`].
-fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+fn export_questions(
+    dialect: DialectName,
+    arguments: &ExportArguments,
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
     let filter = arguments.filter.as_deref().map(Filter::new);
-    let cases: Vec<Case> = all_questions(arguments.dialect)
+    let cases: Vec<Case> = all_questions(dialect)
         .into_iter()
-        .map(|question| question_case(question, arguments.dialect))
+        .map(|question| question_case(question, dialect))
         .filter(|case| {
             filter
                 .as_ref()
@@ -63,10 +112,10 @@ fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow:
         })
         .collect();
     let selected: Vec<&Case> = cases.iter().collect();
-    let mut plan = export_plan(arguments, &selected);
+    let mut plan = export_plan(dialect, arguments, &selected);
     plan.with.insert(ExtraCases::Open);
     let exported = export(&plan, &selected, &arguments.folder)?;
-    show(&exported, arguments, out)?;
+    show(&exported, dialect, arguments, out)?;
     Ok(exit(&exported))
 }
 
@@ -89,14 +138,14 @@ fn question_case(question: Question, dialect: DialectName) -> Case {
 }
 
 /// Returns the plan of an export of these cases, without a suite.
-fn export_plan(arguments: &ExportArguments, selected: &[&Case]) -> ExportPlan {
+fn export_plan(dialect: DialectName, arguments: &ExportArguments, selected: &[&Case]) -> ExportPlan {
     ExportPlan {
-        dialect: arguments.dialect,
+        dialect,
         defined: None,
         suite: env!("CARGO_PKG_VERSION").to_owned(),
         cases_per_page: usize::from(arguments.cases_per_page),
         with: arguments.with.iter().copied().collect(),
-        without: without(arguments, selected),
+        without: without(dialect, arguments, selected),
         sample: arguments
             .sample
             .map(|sample| usize::try_from(sample).unwrap_or(usize::MAX)),
@@ -106,10 +155,7 @@ fn export_plan(arguments: &ExportArguments, selected: &[&Case]) -> ExportPlan {
 }
 
 fn exit(exported: &Exported) -> Exit {
-    match exported.cases {
-        0 => Exit::NothingTested,
-        _ => Exit::AsExpected,
-    }
+    Exit::NothingTested.when(exported.cases == 0)
 }
 
 /// Returns the plan of a project file that is created now.
@@ -119,8 +165,8 @@ fn project(file: PathBuf) -> ProjectPlan {
 }
 
 /// Reads the ids of the cases to be left out, which may have `@dialect` at their end, as `stickler list` and reports write them.
-fn without(arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> {
-    let dialect = format!("@{}", arguments.dialect);
+fn without(dialect: DialectName, arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> {
+    let dialect = format!("@{dialect}");
     let ids = arguments
         .without
         .iter()
@@ -137,11 +183,16 @@ fn without(arguments: &ExportArguments, selected: &[&Case]) -> BTreeSet<String> 
     ids
 }
 
-fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -> std::io::Result<()> {
+fn show(
+    exported: &Exported,
+    dialect: DialectName,
+    arguments: &ExportArguments,
+    out: &mut dyn Write,
+) -> std::io::Result<()> {
     let folder = arguments.folder.display();
     let pages = counted(exported.pages as u64, "page", "pages");
     let cases = counted(exported.cases as u64, "case", "cases");
-    writeln!(out, "{folder}: {pages} with {cases} in {}", arguments.dialect)?;
+    writeln!(out, "{folder}: {pages} with {cases} in {dialect}")?;
     if exported.compiled_only > 0 {
         writeln!(out, "  {} of them only to be compiled", exported.compiled_only)?;
     }

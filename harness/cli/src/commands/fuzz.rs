@@ -60,7 +60,7 @@ fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Wr
         [] => TargetOracle::TARGETS.to_vec(),
         named => named.to_vec(),
     };
-    let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.name().to_owned()).collect();
+    let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.as_str().to_owned()).collect();
     let request = CampaignRequest {
         targets: names(&targets),
         ..request(arguments, &Surveyed::default())
@@ -74,13 +74,8 @@ fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Wr
         },
     };
     let plan = plan(arguments, Duration::ZERO, 64);
-    let campaign = KeptCampaign {
-        plan,
-        request,
-        store,
-        known: KnownCauses::default(),
-    };
-    campaign.run(&oracle, &Surveyed::default(), out)
+    let kept = (store, &KnownCauses::default());
+    run(&plan, request, (&oracle, &Surveyed::default()), kept, out)
 }
 
 /// Runs a campaign that gives random programs to engines.
@@ -96,7 +91,7 @@ fn campaign_on_engines(
     let under_test: Vec<EngineUnderTest<'_>> = engines.iter().map(under_test).collect();
     let surveyed = surveyed(arguments, &under_test, &dialects)?;
     let request = CampaignRequest {
-        targets: vec![FuzzTarget::Differential.name().to_owned()],
+        targets: vec![FuzzTarget::Differential.as_str().to_owned()],
         engines: engines
             .iter()
             .map(|named| named.identity().name.clone())
@@ -119,13 +114,7 @@ fn campaign_on_engines(
         commands: commands(arguments, &surveyed, &store),
     };
     let plan = plan(arguments, begun.elapsed(), batch);
-    let campaign = KeptCampaign {
-        plan,
-        request,
-        store,
-        known,
-    };
-    campaign.run(&oracle, &surveyed, out)
+    run(&plan, request, (&oracle, &surveyed), (store, &known), out)
 }
 
 /// Returns the plan of a campaign, of whose time some was spent already.
@@ -143,40 +132,30 @@ fn plan(arguments: &FuzzArguments, spent: Duration, batch: usize) -> CampaignPla
     }
 }
 
-/// A campaign that is to be run and kept.
-struct KeptCampaign {
-    plan: CampaignPlan,
+/// Runs a campaign on an oracle, and keeps what it finds.
+fn run(
+    plan: &CampaignPlan,
     request: CampaignRequest,
-    store: Store,
-    known: KnownCauses,
-}
-
-impl KeptCampaign {
-    /// Runs the campaign on an oracle.
-    fn run(self, oracle: &dyn Oracle, surveyed: &Surveyed, out: &mut dyn Write) -> anyhow::Result<Exit> {
-        let KeptCampaign {
-            plan,
-            request,
-            store,
-            known,
-        } = self;
-        let mut page = FuzzPage::new(out);
-        page.begin(&request, plan.shard)?;
-        page.surveyed(&surveyed.survey)?;
-        let cancel = interrupt::cancellation()?;
-        let mut keeper = Keeper::begin(store, request, surveyed.survey.failing.clone(), plan.shard)?;
-        let bar = FuzzBar::new(&plan);
-        let mut tell = |event: CampaignEvent<'_>| match event {
-            CampaignEvent::Progress(progress) => bar.reach(progress),
-            CampaignEvent::Found(finding) => keeper.keep(finding),
-        };
-        let summary = stickler_campaign::run(&plan, oracle, &mut tell, cancel);
-        bar.finish();
-        let summary = summary?;
-        let unsaved = keeper.end(&summary);
-        page.end(&summary, &known, &unsaved)?;
-        Ok(exit(&summary).worst(unsaved.exit()))
-    }
+    (oracle, surveyed): (&dyn Oracle, &Surveyed),
+    (store, known): (Store, &KnownCauses),
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let mut page = FuzzPage::new(out);
+    page.begin(&request, plan.shard)?;
+    page.surveyed(&surveyed.survey)?;
+    let cancel = interrupt::cancellation()?;
+    let mut keeper = Keeper::begin(store, request, surveyed.survey.failing.clone(), plan.shard)?;
+    let bar = FuzzBar::new(plan);
+    let mut tell = |event: CampaignEvent<'_>| match event {
+        CampaignEvent::Progress(progress) => bar.reach(progress),
+        CampaignEvent::Found(finding) => keeper.keep(finding),
+    };
+    let summary = stickler_campaign::run(plan, oracle, &mut tell, cancel);
+    bar.finish();
+    let summary = summary?;
+    let unsaved = keeper.end(&summary);
+    page.end(&summary, known, &unsaved)?;
+    Ok(exit(&summary).worst(unsaved.exit()))
 }
 
 fn exit(summary: &CampaignSummary) -> Exit {

@@ -4,10 +4,9 @@ use crate::arguments::{ImportArguments, SelectionArguments};
 use crate::case_folder::CaseFolder;
 use crate::commands::record;
 use crate::exit::{self, Exit};
-use crate::{baselines, output, run_plan, shell};
-use anyhow::{Context, bail};
-use std::fs;
-use std::io::{Read, Write};
+use crate::{baselines, output, run_plan, shell, source_file};
+use anyhow::bail;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
 use stickler_conversions::recording::{Recording, RecordingBuilder};
@@ -110,14 +109,7 @@ fn export_folder(arguments: &ImportArguments) -> PathBuf {
 }
 
 fn source(file: &Path) -> anyhow::Result<CopiedText> {
-    let mut bytes = Vec::new();
-    if file == Path::new("-") {
-        std::io::stdin()
-            .read_to_end(&mut bytes)
-            .context("cannot read stdin")?;
-    } else {
-        bytes = fs::read(file).with_context(|| format!("cannot read {}", file.display()))?;
-    }
+    let (bytes, _) = source_file::read(file)?;
     if let Some(report) = events::recognize(&bytes) {
         bail!(
             "{} is {report}; import the text that was copied out of the compiler's editor, and run the cases again for a new report",
@@ -176,7 +168,7 @@ fn judged(
     let sink = &mut |event| {
         reports.take(&event);
     };
-    let imported = export.import_with(texts, judge, sink, answered);
+    let imported = export.import(texts, judge, sink, answered);
     Ok((imported, reports.finish()?))
 }
 
@@ -194,16 +186,11 @@ fn tell(imported: &Imported, export: &Export, engine: &Identity) {
 
 fn exit(imported: &Imported) -> Exit {
     let summary = &imported.summary;
-    let whole = if imported.unjudged > 0 {
-        Exit::Usage
-    } else {
-        Exit::AsExpected
-    };
     let judged = match summary.cases {
         0 => Exit::Usage,
         _ => exit::of_totals(&summary.totals, summary.outdated > 0),
     };
-    judged.worst(whole)
+    judged.worst(Exit::Usage.when(imported.unjudged > 0))
 }
 
 /// Gathers the answers for the file that `--record` names.

@@ -9,7 +9,7 @@ pub(super) mod sources;
 use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
-use crate::output::{BOLD, DIM};
+use crate::output::{BOLD, DIM, json_line};
 use crate::run_plan;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +46,7 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
         write_claims(out, &claims(&cases), arguments.json)?;
     } else {
         cases.into_iter().try_for_each(|case| match arguments.json {
-            true => write_json(out, &CaseLine::new(case)),
+            true => json_line(out, &CaseLine::new(case)),
             false => writeln!(out, "{}@{}", case.id, case.dialect),
         })?;
     }
@@ -105,7 +105,7 @@ fn claims<'a>(cases: &[&'a Case]) -> Vec<ClaimLine<'a>> {
 
 fn write_claims(out: &mut dyn Write, claims: &[ClaimLine<'_>], json: bool) -> io::Result<()> {
     if json {
-        return claims.iter().try_for_each(|claim| write_json(out, claim));
+        return claims.iter().try_for_each(|claim| json_line(out, claim));
     }
     let mut source = None;
     for claim in claims {
@@ -127,9 +127,4 @@ fn write_claims(out: &mut dyn Write, claims: &[ClaimLine<'_>], json: bool) -> io
         }
     }
     Ok(())
-}
-
-pub(super) fn write_json(out: &mut dyn Write, line: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer(&mut *out, line)?;
-    writeln!(out)
 }

@@ -45,9 +45,8 @@ const TYPES: [ElementaryType; 20] = [
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
-        filter: Vec::new(),
-        exclude: Vec::new(),
         dialect: arguments.dialect.clone(),
+        ..SelectionArguments::default()
     };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     // No document speaks of the pairs that a dialect of stickler.toml does not inherit.

@@ -3,12 +3,12 @@
 use crate::arguments::RecordArguments;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use crate::{engines, interrupt, run_plan};
+use crate::{engines, interrupt, run_plan, source_file};
 use anyhow::{Context, bail};
 use jiff::tz::TimeZone;
 use std::env::consts;
 use std::fs;
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::Path;
 use stickler_conversions::recording::{RecordedSection, Recording};
 use stickler_engines::Identity;
@@ -28,7 +28,7 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
     let dialects = engines::spoken(engine.identity(), asked)?;
     let origin = origin(arguments, engine.identity())?;
     let sections = match &arguments.only[..] {
-        [] => &RecordedSection::ALL[..],
+        [] => RecordedSection::ALL,
         named => named,
     };
     // A file that cannot be completed is seen before the compiler is asked for minutes.
@@ -64,10 +64,8 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
 /// A file that cannot be read, is no recording, or is one of another product or version.
 pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Recording>> {
     let shown = path.display();
-    let text = match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(error).with_context(|| format!("cannot read {shown}")),
+    let Some(text) = source_file::text_if_any(path)? else {
+        return Ok(None);
     };
     let older = Recording::parse(&shown.to_string(), &text)?;
     let (was, is) = (&older.origin, origin);

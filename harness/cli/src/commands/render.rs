@@ -2,7 +2,7 @@
 
 use crate::arguments::SourceArguments;
 use crate::exit::Exit;
-use crate::{output, snippet, source_file};
+use crate::{snippet, source_file};
 use std::io::Write;
 use stickler_syntax::decoding::decode;
 
@@ -24,7 +24,7 @@ pub fn execute(arguments: &SourceArguments, out: &mut dyn Write) -> anyhow::Resu
             Ok(Exit::AsExpected)
         }
         Err(diagnostics) => {
-            snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+            snippet::write(&diagnostics, &text, |_| (&path, 0), &mut anstream::stderr())?;
             Ok(Exit::Failures)
         }
     }

@@ -35,9 +35,9 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
     })?;
     let folder = &arguments.folder;
     make_empty(folder)?;
-    let here = Here::find(&arguments.engine, &configuration);
+    let here = find(&arguments.engine, &configuration);
     let (reproduction, printed) = match &here {
-        Some(here) => here.shown(subject)?,
+        Some(engine) => shown_here(&**engine, subject)?,
         None => (reproduction, None),
     };
     if let [_, _, ..] = subjects[..] {
@@ -52,7 +52,7 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
         printed: here
             .as_ref()
             .zip(printed.as_deref())
-            .map(|(here, text)| (here.version(), text)),
+            .map(|(engine, text)| (engine.identity().version.as_str(), text)),
     };
     fs::write(folder.join(README), page.text()).with_context(unwritten)?;
     writeln!(
@@ -149,39 +149,24 @@ fn make_empty(folder: &Path) -> anyhow::Result<()> {
     }
 }
 
-/// A compiler that is here.
-struct Here {
-    engine: Box<dyn Engine>,
+/// Finds a compiler; says on stderr why not where it is not here.
+fn find(name: &str, configuration: &ConfigurationFile) -> Option<Box<dyn Engine>> {
+    let engine = engines::seek(name, name, configuration)?.engine;
+    let engine = engine.map_err(|error| output::note(format!("the files are not tried: {error}")));
+    engine.ok()
 }
 
-impl Here {
-    /// Finds the compiler; says on stderr why not where it is not here.
-    fn find(name: &str, configuration: &ConfigurationFile) -> Option<Here> {
-        match engines::seek(name, name, configuration)?.engine {
-            Ok(engine) => Some(Here { engine }),
-            Err(error) => {
-                output::note(format!("the files are not tried: {error}"));
-                None
-            }
-        }
-    }
-
-    fn version(&self) -> &str {
-        &self.engine.identity().version
-    }
-
-    /// Returns the reproduction of a program, by what the engine does with it, and what its script prints; says on stderr why
-    /// not where it does not end.
-    fn shown(&self, subject: &ReproducedProgram) -> Result<(Reproduction, Option<String>), NoReproduction> {
-        let request = subject.request();
-        let outcome = self
-            .engine
-            .session()
-            .ok()
-            .map(|mut session| session.run(&request));
-        let ability = subject.ability(outcome.as_ref());
-        let (reproduction, printed) = reproduce_and_run(&*self.engine, &request, ability)?;
-        let printed = printed.map_err(|reason| output::note(format!("run.sh: {reason}")));
-        Ok((reproduction, printed.ok().map(|printed| printed.text)))
-    }
+/// Returns the reproduction of a program, by what the engine does with it, and what its script prints; says on stderr why not where
+/// it does not end.
+fn shown_here(
+    engine: &dyn Engine,
+    subject: &ReproducedProgram,
+) -> Result<(Reproduction, Option<String>), NoReproduction> {
+    let request = subject.request();
+    let session = engine.session().ok();
+    let outcome = session.map(|mut session| session.run(&request));
+    let ability = subject.ability(outcome.as_ref());
+    let (reproduction, printed) = reproduce_and_run(engine, &request, ability)?;
+    let printed = printed.map_err(|reason| output::note(format!("run.sh: {reason}")));
+    Ok((reproduction, printed.ok().map(|printed| printed.text)))
 }

@@ -3,14 +3,13 @@
 mod watch;
 
 use crate::arguments::RunArguments;
-use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::cause_stage::CauseStage;
 use crate::documented::statements;
 use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
-use crate::{baselines, engines, interrupt, output, run_plan, shell};
+use crate::{baselines, caches, engines, interrupt, output, run_plan, shell};
 use anyhow::bail;
 use std::collections::BTreeMap;
 use std::env;
@@ -52,10 +51,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     if arguments.watch && folder.is_carried {
         bail!("the cases inside the program do not change; name a folder of cases with --cases DIR");
     }
-    let caches = caches(arguments, &folder, &engines);
-    let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
+    let caches = match arguments.no_cache || arguments.no_report {
+        true => Vec::new(),
+        false => caches::open(&folder.root.join("reports").join("cache"), &engines),
+    };
+    let stores = caches::stores(&caches);
     let exit = run(arguments, &folder, &plan, &engines, &stores, out);
-    caches.report_problems();
+    caches::report_problems(&caches);
     let exit = exit?;
     if !arguments.watch || exit == Exit::Interrupted {
         return Ok(exit);
@@ -72,7 +74,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         cancel: interrupt::cancellation_ending_engines()?,
     };
     let exit = watch.watch(out);
-    caches.report_problems();
+    caches::report_problems(&caches);
     exit
 }
 
@@ -269,14 +271,6 @@ fn judged_alike(arguments: &RunArguments) -> String {
         options.push_str(" --no-baseline");
     }
     options
-}
-
-/// Opens the caches of the engines; none with `--no-cache` or `--no-report`.
-fn caches(arguments: &RunArguments, folder: &CaseFolder, engines: &[&dyn Engine]) -> Caches {
-    match arguments.no_cache || arguments.no_report {
-        true => Caches::none(),
-        false => Caches::open(&folder.root.join("reports").join("cache"), engines),
-    }
 }
 
 /// The receiver of the events of a run, which passes them to every report.

@@ -21,7 +21,7 @@ pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
-        write_group(group, &named.suite, out)?;
+        write_group(group, &named.suite, arguments.scan, out)?;
         write_end(group, &named.plan, out)?;
     }
     Ok(case_folder::exit_of(&named.suite))
@@ -49,7 +49,7 @@ fn same(one: &Case, other: &Case) -> bool {
     }
 }
 
-fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Result<()> {
+fn write_group(group: &[&Case], suite: &Suite, scan: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
     let Some(case) = group.first() else { return Ok(()) };
     let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
@@ -94,8 +94,30 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
         let gap = if line.is_empty() { "" } else { "  " };
         writeln!(out, "{DIM}{:>4}{DIM:#}{gap}{line}", number + 1)?;
     }
+    if case.has_timing() {
+        write_diagram(case, scan, out)?;
+    }
     writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
     write_expectation(case, out)
+}
+
+/// Draws the scans of a case as a timing diagram: of many those up to `scan`, or the first.
+fn write_diagram(case: &Case, scan: Option<u32>, out: &mut dyn Write) -> io::Result<()> {
+    const MAX_SCANS: u32 = 48;
+    let last = scan.unwrap_or(MAX_SCANS).clamp(1, case.scans);
+    let first = last.saturating_sub(MAX_SCANS - 1).max(1);
+    writeln!(out, "\n{BOLD}Scans{BOLD:#}\n")?;
+    for line in case.timing_diagram(first..=last).lines() {
+        writeln!(out, "  {line}")?;
+    }
+    match case.scans - (last - first + 1) {
+        0 => Ok(()),
+        more => writeln!(
+            out,
+            "\n  {more} more of {} scans: --scan N draws those up to N",
+            case.scans
+        ),
+    }
 }
 
 /// Returns whom the expectation of a case binds, and why.
@@ -136,7 +158,12 @@ fn write_end(group: &[&Case], plan: &Plan, out: &mut dyn Write) -> io::Result<()
 
 /// Writes the expectation of a case in the form of reports.
 fn write_expectation(case: &Case, out: &mut dyn Write) -> io::Result<()> {
-    let expected = expected_facts(case);
+    // What is expected after a scan stands in the diagram.
+    let is_drawn = |fact: &Fact| matches!(fact, Fact::Value { name, .. } if name.contains('@'));
+    let expected: Vec<Fact> = expected_facts(case)
+        .into_iter()
+        .filter(|fact| !is_drawn(fact))
+        .collect();
     for line in Fact::text(&expected).lines() {
         writeln!(out, "  {line}")?;
     }

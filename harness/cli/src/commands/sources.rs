@@ -1,10 +1,10 @@
 //! `stickler sources`: lists the sources of the claims, or holds the figures that they quote against saved copies of their pages.
 
-use super::list::{sources, write_json};
+use super::list::sources;
 use crate::arguments::SourcesArguments;
 use crate::case_folder::{self, CaseFolder};
 use crate::exit::Exit;
-use crate::output::{BAD, DIM};
+use crate::output::{BAD, DIM, json_line};
 use anyhow::bail;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -34,7 +34,7 @@ pub fn execute(arguments: &SourcesArguments, out: &mut dyn Write) -> anyhow::Res
     let mut quotes = suite.sources.check_quotes(folder);
     quotes.retain(|quote| names.is_empty() || names.iter().any(|name| name == quote.source));
     match arguments.json {
-        true => quotes.iter().try_for_each(|quote| write_json(out, quote))?,
+        true => quotes.iter().try_for_each(|quote| json_line(out, quote))?,
         false => write(&quotes, folder, out)?,
     }
     if quotes.is_empty() {

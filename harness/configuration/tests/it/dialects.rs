@@ -2,7 +2,6 @@
 
 use crate::{mistake, read};
 use std::fmt::Write;
-use std::path::Path;
 use stickler_types::DialectName;
 
 /// Returns what a dialect is, a statement a line.
@@ -30,30 +29,14 @@ fn shown(name: DialectName) -> String {
 
 #[test]
 fn golden_definitions_are_those_of_the_file() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/definitions.md");
-    let golden = std::fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
-    let mut parts = golden.split("```toml\n");
-    let mut found = parts.next().unwrap().to_owned();
-    for part in parts {
-        let (file, rest) = part.split_once("```\n").unwrap();
-        let (_, behind) = rest
-            .split_once("```text\n")
-            .unwrap()
-            .1
-            .split_once("```\n")
-            .unwrap();
-        let dialects = read(file).unwrap();
-        let shown: String = dialects
+    stickler_mdtest::check_examples("tests/definitions.md", |example| {
+        let dialects = read(example.text("toml")).unwrap();
+        dialects
             .dialects()
             .iter()
             .map(|dialect| shown(*dialect))
-            .collect();
-        let _ = write!(found, "```toml\n{file}```\n\n```text\n{shown}```\n{behind}");
-    }
-    if std::env::var_os("STICKLER_BLESS").is_some() {
-        return std::fs::write(&path, &found).unwrap();
-    }
-    assert!(found == golden, "`cargo xtask bless` writes it:\n{found}");
+            .collect()
+    });
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod file;
 use std::fs;
 use std::path::Path;
 use stickler_configuration::ConfigurationFile;
+use stickler_mdtest::fits;
 
 /// Returns the configuration of a temporary folder whose file has this text.
 fn read(text: &str) -> Result<ConfigurationFile, String> {
@@ -16,23 +17,6 @@ fn read(text: &str) -> Result<ConfigurationFile, String> {
 
 fn mistake(text: &str) -> String {
     read(text).unwrap_err()
-}
-
-/// Tells whether a message is as expected; `…` stands for anything.
-fn fits(expected: &str, mut message: &str) -> bool {
-    let mut parts = expected.split('…');
-    let Some(rest) = message.strip_prefix(parts.next().unwrap_or_default()) else {
-        return false;
-    };
-    message = rest;
-    let found = parts.clone().all(|part| match message.split_once(part) {
-        Some((_, rest)) => {
-            message = rest;
-            true
-        }
-        None => false,
-    });
-    found && (message.is_empty() || expected.ends_with('…'))
 }
 
 /// Reads each file of `tests/mistakes/*.md`, behind which stands what must be told.

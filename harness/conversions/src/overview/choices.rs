@@ -98,10 +98,10 @@ fn topics(signature: &Signature) -> Vec<Topic> {
         (Operation::Convert, Family::Text, _) if whole => vec![topic("reading", reading)],
         (Operation::Convert, Family::Real, Family::Text) => vec![topic("digits", digits)],
         (Operation::Convert, Family::BitString, Family::Text) => vec![topic("spelling", spelling)],
-        (Operation::Convert, family, _) if is_moment(family) && (whole || to.is_real()) && to.bits() > 1 => {
+        (Operation::Convert, ..) if from.is_moment() && (whole || to.is_real()) && to.bits() > 1 => {
             vec![topic("unit", unit)]
         }
-        (Operation::Convert, _, family) if is_moment(family) && (from.is_integer() || from.is_real()) => {
+        (Operation::Convert, ..) if to.is_moment() && (from.is_integer() || from.is_real()) => {
             vec![topic("unit", unit), topic(&outside, outside_of_moments)]
         }
         (Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor, ..) => {
@@ -127,6 +127,7 @@ fn rounding(choices: &ConversionChoices, _: &Signature) -> String {
         Rounding::HalfAwayFromZero => "to the nearest, halves away from zero",
         Rounding::Up => "upward",
         Rounding::Down => "downward",
+        Rounding::AwayFromZero => "away from zero",
     }
     .to_owned()
 }
@@ -169,6 +170,9 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
         TextReading::LooseDigits => {
             "the whole text, underscores and blanks aside, must be a number; otherwise 0"
         }
+        TextReading::LeadingFixedPoint => {
+            "the decimal number at the beginning, without an exponent; otherwise 0"
+        }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }
     .to_owned()
@@ -191,14 +195,6 @@ fn spelling(choices: &ConversionChoices, _: &Signature) -> String {
     .to_owned()
 }
 
-/// Returns whether values of this family are durations, dates or times, whose numbers count a unit such as milliseconds.
-fn is_moment(family: Family) -> bool {
-    matches!(
-        family,
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
-    )
-}
-
 fn copy(choices: &ConversionChoices, signature: &Signature) -> String {
     match choices.bits_as_real {
         BitsAsReal::Number => match signature.result.is_real() {
@@ -219,8 +215,9 @@ fn truth(choices: &ConversionChoices, _: &Signature) -> String {
 }
 
 fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
-    let families = [signature.operands[0].family(), signature.result.family()];
-    match families.into_iter().find(|family| is_moment(*family)) {
+    let types = [signature.operands[0], signature.result];
+    let moment = types.into_iter().find(|ty| ty.is_moment());
+    match moment.map(ElementaryType::family) {
         _ if choices.moment_units == MomentUnits::Counts => {
             "the type's own: milliseconds, seconds of a DATE and a DT, nanoseconds of the long types"
         }

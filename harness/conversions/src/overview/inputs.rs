@@ -4,7 +4,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use stickler_exact::{Operation, Signature};
-use stickler_types::{ElementaryType, Family, Value, boundaries};
+use stickler_types::{ElementaryType, Family, Value, boundaries, distinct};
 
 /// The values that an overview shows besides the limits of types.
 static LISTS: LazyLock<Lists> =
@@ -53,6 +53,7 @@ fn of_one(from: ElementaryType, signature: &Signature) -> Vec<Value> {
         Family::Text => texts(from, to),
         _ => short(from),
     };
+    // Two literals may stand for the same value.
     distinct(values)
 }
 
@@ -202,17 +203,6 @@ fn moments(to: ElementaryType) -> Vec<String> {
     let others = ["5".to_owned(), "abc".to_owned(), String::new()];
     let first = [known.first(), known.last()].into_iter().flatten().cloned();
     first.chain(bare).chain(others).collect()
-}
-
-/// Removes repeated values, since two literals may stand for the same value.
-fn distinct(values: Vec<Value>) -> Vec<Value> {
-    let mut found: Vec<Value> = Vec::with_capacity(values.len());
-    for value in values {
-        if !found.contains(&value) {
-            found.push(value);
-        }
-    }
-    found
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@ use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureRe
 use super::values::{CallOperands, MAX_VALUE_LEN};
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
-use crate::literals;
 use crate::session::RefusalKind;
 use crate::table::{Alignment, Cell, Table};
 use anstyle::{AnsiColor, Style};
@@ -13,7 +12,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value};
-use stickler_types::{PrintedResult, shortened, wrap, wrap_within};
+use stickler_types::{PrintedResult, distinct, shortened, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -202,15 +201,12 @@ impl OverviewPage<'_> {
                 if let Some(trouble) = trouble(compared) {
                     troubles.push(format!("{}: {call} {trouble}", name(column)));
                 }
-                // What two sources say of a dialect is said once, however many engines speak it.
-                if let Some(disputed) = disputed(&compared.expected) {
-                    let disputed = format!("{}: {call} {disputed}", column.dialect);
-                    if !troubles.contains(&disputed) {
-                        troubles.push(disputed);
-                    }
-                }
+                let disputed = disputed(&compared.expected);
+                troubles.extend(disputed.map(|disputed| format!("{}: {call} {disputed}", column.dialect)));
             }
         }
+        // What two sources say of a dialect is said once, however many engines speak it.
+        let troubles = distinct(troubles);
         if troubles.is_empty() {
             return Ok(());
         }
@@ -380,7 +376,7 @@ fn operands(calls: &[CallOperands], types: &[ElementaryType]) -> Vec<Column> {
 /// Returns the text of an operand. A whole real has all of its digits: `2147483648.0`, where the canonical spelling of a REAL
 /// has the fewest that read back to the same bits, `2147483600.0`.
 fn operand(value: &Value, ty: ElementaryType) -> String {
-    match literals::real(value) {
+    match value.real() {
         Some(number) if number.abs() < LARGE && number == number.trunc() => format!("{number:.1}"),
         _ => untyped(value, ty),
     }

@@ -5,7 +5,7 @@ use crate::implicit::MatrixAnswer;
 use crate::recording::Recording;
 use crate::session::{Refusal, RefusalKind};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, MatrixWord, RecordingOrigin, TypePair, Value};
+use stickler_types::{DialectName, MatrixWord, RecordingOrigin, TypePair, Value};
 
 /// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
 /// type has a part, or what one call of a function gives. Pairs come first, then parts, then calls.
@@ -82,24 +82,17 @@ impl<'r> RecordedColumn<'r> {
         self.dialect
     }
 
-    /// Adds the answer for a pair of types, of which the sources state `word`.
-    pub(super) fn add_pair(&mut self, question: QuestionNumber, pair: TypePair, word: Option<MatrixWord>) {
-        if let Some(answer) = self.recording.implicit(self.answers.dialect, pair) {
-            self.answers.answers.push((question, accepted(answer, word)));
-        }
-    }
-
-    /// Adds the answer for a bit or a part of a type, of which the sources state `word`.
-    pub(super) fn add_part(
+    /// Adds the answer to a question about two words, of which the sources state `word`.
+    pub(super) fn add(
         &mut self,
         question: QuestionNumber,
-        ty: ElementaryType,
-        part: &str,
         word: Option<MatrixWord>,
+        answer: impl FnOnce(&Recording, DialectName) -> Option<MatrixAnswer>,
     ) {
-        if let Some(answer) = self.recording.part(self.answers.dialect, ty, part) {
-            self.answers.answers.push((question, accepted(answer, word)));
-        }
+        let answer = answer(self.recording, self.answers.dialect);
+        self.answers
+            .answers
+            .extend(answer.map(|answer| (question, accepted(answer, word))));
     }
 
     /// Adds the answers for the calls of a signature, of which the sources state `expected`; the first call is the question `first`.

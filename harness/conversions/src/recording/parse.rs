@@ -163,7 +163,11 @@ fn word_row(
 fn matrix_answer(word: &str) -> Result<&'static str, String> {
     let answer = MatrixAnswer::from_word(word).map(MatrixAnswer::as_str);
     answer.ok_or_else(|| {
-        let known = MatrixAnswer::ALL.map(MatrixAnswer::as_str).join(", ");
+        let known = MatrixAnswer::ALL
+            .iter()
+            .map(|answer| answer.as_str())
+            .collect::<Vec<_>>()
+            .join(", ");
         format!("`{word}` is no answer of a compiler; one of {known} is")
     })
 }

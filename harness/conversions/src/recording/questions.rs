@@ -21,7 +21,7 @@ pub fn all_questions(dialect: DialectName) -> Vec<Question> {
         };
         calls.into_iter().map(call).map(Question::Call)
     });
-    let words = RecordedSection::ALL.into_iter().flat_map(questions_of);
+    let words = RecordedSection::ALL.iter().copied().flat_map(questions_of);
     words.chain(calls).collect()
 }
 
@@ -139,8 +139,7 @@ pub(super) fn pairs_compared() -> Vec<TypePair> {
 #[must_use]
 pub fn extreme(ty: ElementaryType) -> Value {
     match ty.family() {
-        Family::Real if ty.bits() == 32 => Value::plain(ty, u64::from((-1.0_f32).to_bits())),
-        Family::Real => Value::plain(ty, (-1.0_f64).to_bits()),
+        Family::Real => Value::of_real(ty, -1.0),
         Family::Signed => Value::plain(ty, u64::MAX),
         _ if ty.bits() >= 64 => Value::plain(ty, u64::MAX),
         _ => Value::plain(ty, (1 << ty.bits()) - 1),

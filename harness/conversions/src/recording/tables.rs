@@ -1,5 +1,6 @@
 //! Turns the answers of a recording into tables of cases, whose basis is the recording.
 
+use super::write::quoted;
 use super::{RecordedSection, Recording, all_questions, program_of};
 use crate::implicit::MatrixAnswer;
 use crate::program::ConversionProgram;
@@ -9,7 +10,6 @@ use std::fmt::Write as _;
 use std::slice;
 use stickler_exact::signature_of;
 use stickler_types::{DialectName, ElementaryType, Question, Value};
-use toml::Value as Toml;
 
 /// A table of cases that was made of a section of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -202,8 +202,4 @@ fn accepted_or_not(answer: MatrixAnswer) -> PromotedAnswer {
 fn one_line(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     lines.join(" ")
-}
-
-fn quoted(text: &str) -> String {
-    Toml::from(text).to_string()
 }

@@ -4,7 +4,6 @@ use super::{FunctionAnswers, RecordedSection, Recording, WordKey};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_types::{DialectName, ElementaryType};
-use toml::Value as Toml;
 
 /// A section: the dialects of its answers, and the text of each row by the kind and key of the row.
 type WrittenSections<'r> = BTreeMap<Vec<&'r str>, BTreeMap<(&'static str, String), String>>;
@@ -34,7 +33,7 @@ impl Recording {
         for (dialects, rows) in self.sections() {
             let names: Vec<String> = dialects.into_iter().map(quoted).collect();
             writeln!(out, "\n[[answers]]\ndialects = [{}]", names.join(", "))?;
-            for kind in RecordedSection::ALL.map(RecordedSection::as_str) {
+            for kind in RecordedSection::ALL.iter().map(|section| section.as_str()) {
                 let mut rows = rows.iter().filter(|((of, _), _)| *of == kind).peekable();
                 if rows.peek().is_some() {
                     writeln!(out, "\n[answers.{kind}]")?;
@@ -121,6 +120,7 @@ fn function_row(answers: &FunctionAnswers) -> String {
     format!("[{}]", calls.join(", "))
 }
 
-fn quoted(text: &str) -> String {
-    Toml::String(text.to_owned()).to_string()
+/// Returns a text as TOML writes it.
+pub(super) fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
 }

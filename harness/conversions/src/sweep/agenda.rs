@@ -152,13 +152,10 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
         if (is_calendar(from) && is_number(to)) || (is_number(from) && is_calendar(to)) {
             kept.moment_units = choices.moment_units;
         }
-        let is_moment = |ty: ElementaryType| {
-            is_calendar(ty) || matches!(ty.family(), Family::Duration | Family::TimeOfDay)
-        };
-        if to.is_text() && is_moment(from) {
+        if to.is_text() && from.is_moment() {
             kept.moment_text = choices.moment_text;
         }
-        if choices.moment_units == MomentUnits::Counts && (is_moment(from) || is_moment(to)) {
+        if choices.moment_units == MomentUnits::Counts && (from.is_moment() || to.is_moment()) {
             kept.moment_units = choices.moment_units;
             if from.is_real() {
                 (kept.rounding, kept.out_of_range) = (choices.rounding, choices.out_of_range);

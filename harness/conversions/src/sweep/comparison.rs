@@ -2,10 +2,10 @@
 
 use crate::sweep::agenda::Sweep;
 use crate::sweep::converter::Converter;
-use crate::sweep::findings::{Difference, MAX_DIFFERENCES, SweepFindings};
+use crate::sweep::findings::{Difference, SweepFindings};
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::Value;
 
 /// The number of raw forms that are converted before they are compared; three buffers of this size stay in the nearest cache.
 const BLOCK: usize = 1024;
@@ -16,13 +16,16 @@ const STEP: u64 = 1 << 18;
 /// The number of inputs that a worker takes at a time where exact arithmetic has no bulk form.
 const SLOW_STEP: u64 = 1 << 9;
 
-/// A sweep, and the converter that it compares with exact arithmetic.
-#[derive(Clone, Copy)]
+/// A sweep, the converter that it compares with exact arithmetic, and the buffers of one worker.
+#[derive(Clone)]
 pub struct SweepComparison<'s> {
     sweep: &'s Sweep,
     converter: &'s dyn Converter,
     /// The bulk form of exact arithmetic, where there is one.
     bulk: Option<Bulk>,
+    operands: Vec<u64>,
+    expected: Vec<u64>,
+    results: Vec<u64>,
 }
 
 impl<'s> SweepComparison<'s> {
@@ -33,6 +36,9 @@ impl<'s> SweepComparison<'s> {
             sweep,
             converter,
             bulk: Bulk::new(&sweep.signature, &sweep.choices),
+            operands: vec![0; BLOCK],
+            expected: vec![0; BLOCK],
+            results: vec![0; BLOCK],
         }
     }
 
@@ -42,23 +48,11 @@ impl<'s> SweepComparison<'s> {
         if self.bulk.is_some() { STEP } else { SLOW_STEP }
     }
 
-    /// Allocates the buffers of one worker.
-    #[must_use]
-    pub fn buffers(&self) -> ComparisonBuffers<'s> {
-        ComparisonBuffers {
-            comparison: *self,
-            operands: vec![0; BLOCK],
-            expected: vec![0; BLOCK],
-            results: vec![0; BLOCK],
-        }
-    }
-
     /// Makes the record of a wrong result at a place of the domain.
     fn difference(&self, place: u64, operands: Vec<Value>, expected: Value, got: Value) -> Difference {
-        let dialects = self.sweep.dialects.iter();
-        let basis = dialects
-            .filter_map(|dialect| self::expected(&self.sweep.signature, &operands, *dialect).basis)
-            .next();
+        let mut dialects = self.sweep.dialects.iter();
+        let basis =
+            dialects.find_map(|dialect| self::expected(&self.sweep.signature, &operands, *dialect).basis);
         Difference {
             place,
             operands,
@@ -67,21 +61,11 @@ impl<'s> SweepComparison<'s> {
             basis,
         }
     }
-}
 
-/// A comparison with the buffers that one worker needs.
-pub struct ComparisonBuffers<'s> {
-    comparison: SweepComparison<'s>,
-    operands: Vec<u64>,
-    expected: Vec<u64>,
-    results: Vec<u64>,
-}
-
-impl ComparisonBuffers<'_> {
     /// Compares the results for the inputs at the given places of the domain with exact arithmetic.
     pub fn compare(&mut self, places: Range<u64>) -> SweepFindings {
         let mut found = SweepFindings::new(0);
-        match self.comparison.bulk {
+        match self.bulk {
             Some(bulk) => self.compare_blocks(bulk, places, &mut found),
             None => places.for_each(|place| self.compare_values(place, &mut found)),
         }
@@ -96,8 +80,8 @@ impl ComparisonBuffers<'_> {
             let length = (end - start) as usize;
             let operands = &mut self.operands[..length];
             let (expected, results) = (&mut self.expected[..length], &mut self.results[..length]);
-            self.comparison.sweep.domain.fill(start..end, operands);
-            self.comparison.converter.convert_all(operands, results);
+            self.sweep.domain.fill(start..end, operands);
+            self.converter.convert_all(operands, results);
             bulk.fill(operands, expected);
             if results != expected {
                 self.collect_differences(start, length, found);
@@ -110,46 +94,23 @@ impl ComparisonBuffers<'_> {
     /// Adds the differences in a block to the findings. Two NaNs are equal whatever their bits.
     #[cold]
     fn collect_differences(&self, start: u64, length: usize, found: &mut SweepFindings) {
-        let signature = &self.comparison.sweep.signature;
-        let result = signature.result;
+        let plain = |raw| Value::plain(self.sweep.signature.result, raw);
         for (offset, place) in (0..length).zip(start..) {
-            let (expected, got) = (self.expected[offset], self.results[offset]);
-            if expected == got || (is_nan(result, expected) && is_nan(result, got)) {
-                continue;
-            }
-            found.mismatches += 1;
-            if found.first.len() < MAX_DIFFERENCES {
-                let operands = self.comparison.sweep.domain.operands(place);
-                let (expected, got) = (Value::plain(result, expected), Value::plain(result, got));
-                found
-                    .first
-                    .push(self.comparison.difference(place, operands, expected, got));
+            let (expected, got) = (plain(self.expected[offset]), plain(self.results[offset]));
+            if expected != got {
+                found.differ(|| self.difference(place, self.sweep.domain.operands(place), expected, got));
             }
         }
     }
 
     fn compare_values(&self, place: u64, found: &mut SweepFindings) {
-        let sweep = self.comparison.sweep;
+        let sweep = self.sweep;
         let operands = sweep.domain.operands(place);
         let exact = value(&sweep.signature, &operands, &sweep.choices);
-        let got = self.comparison.converter.convert(&operands);
+        let got = self.converter.convert(&operands);
         if exact != got {
-            found.mismatches += 1;
-            if found.first.len() < MAX_DIFFERENCES {
-                found
-                    .first
-                    .push(self.comparison.difference(place, operands, exact, got));
-            }
+            found.differ(|| self.difference(place, operands, exact, got));
         }
         found.done += 1;
-    }
-}
-
-/// Returns whether a raw form is a NaN: all bits of the exponent are set, and some of the fraction.
-const fn is_nan(ty: ElementaryType, raw: u64) -> bool {
-    match ty {
-        ElementaryType::Real => raw & 0x7FFF_FFFF > 0x7F80_0000,
-        ElementaryType::Lreal => raw & 0x7FFF_FFFF_FFFF_FFFF > 0x7FF0_0000_0000_0000,
-        _ => false,
     }
 }

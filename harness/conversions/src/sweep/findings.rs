@@ -78,6 +78,14 @@ impl SweepFindings {
         }
     }
 
+    /// Counts a wrong result, and keeps it if it is one of the first.
+    pub(super) fn differ(&mut self, difference: impl FnOnce() -> Difference) {
+        self.mismatches += 1;
+        if self.first.len() < MAX_DIFFERENCES {
+            self.first.push(difference());
+        }
+    }
+
     /// Adds the findings of another part of the domain.
     pub fn add(&mut self, part: SweepFindings) {
         self.done += part.done;

@@ -28,8 +28,8 @@ pub fn run(
     let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.is_requested());
     WorkerPool::new(jobs).for_each(
         tasks,
-        || Ok::<_, SpawnError>(comparison.buffers()),
-        |buffers, places| buffers.compare(places),
+        || Ok::<_, SpawnError>(comparison.clone()),
+        |comparison, places| comparison.compare(places),
         |found| {
             findings.add(found);
             progress(findings.progress());

@@ -27,7 +27,8 @@ pub fn findings(sweep: &Sweep, converter: &dyn Converter) -> SweepFindings {
 pub struct Spoilt<'s, F> {
     /// The sweep whose reference converts.
     pub sweep: &'s Sweep,
-    /// The function that takes the raw forms of an operand and of the right result, and returns that of the wrong one.
+    /// The function that takes the raw forms of an operand and of the right result or of one of its characters, and returns that of the
+    /// wrong one.
     pub spoil: F,
 }
 
@@ -43,6 +44,12 @@ impl<F: Fn(u64, u64) -> u64 + Sync> Converter for Spoilt<'_, F> {
         match (operands, self.sweep.reference.convert(operands)) {
             ([Value::Plain { raw: operand, .. }, ..], Value::Plain { ty, raw }) => {
                 Value::plain(ty, (self.spoil)(*operand, raw))
+            }
+            ([Value::Plain { raw: operand, .. }, ..], Value::Text { ty, units }) => {
+                let spoilt = units
+                    .iter()
+                    .map(|unit| (self.spoil)(*operand, (*unit).into()) as u16);
+                Value::text(ty, spoilt.collect())
             }
             (_, right) => right,
         }

@@ -6,6 +6,7 @@ use super::dependencies::DependencySearch;
 use super::fingerprint::Fingerprint;
 use super::locate::speaks_not;
 use super::recipe::{Recipe, Tools, Workplace};
+use super::settings::{run_written, with_settings, written};
 use super::source::{MainProgram, main_program};
 use crate::engine::no_rendering;
 use crate::{
@@ -113,6 +114,8 @@ pub(super) fn reproduce<A: Adapter>(
 ) -> Result<Reproduction, NoReproduction> {
     let RunRequest { dialect, source, .. } = *request;
     speaks::<A>(dialect)?;
+    let text = with_settings(request);
+    let request = &written(request, text.as_ref());
     let recipe = match (ability, main_program(request)) {
         (Ability::Render, _) => A::rendering(dialect, source)?,
         (Ability::Execute | Ability::Scans, Some(main)) => A::execution(request, &main)?,
@@ -184,12 +187,28 @@ struct AdapterSession<'e, A> {
 impl<A: Adapter> Session for AdapterSession<'_, A> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let spoken = speaks::<A>(request.dialect);
-        let outcome = spoken.and_then(|()| self.adapter.run(&self.workplace, request));
+        let outcome = spoken.and_then(|()| {
+            let (adapter, workplace) = (self.adapter, &self.workplace);
+            let check = |request: &RunRequest<'_>| adapter.check(workplace, request.dialect, request.source);
+            run_written(request, |request| adapter.run(workplace, request), check)
+        });
         outcome.unwrap_or_else(|outcome| outcome)
     }
 
     fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-        self.adapter.run_pack(&self.workplace, requests)
+        let texts: Vec<Option<String>> = requests.iter().map(with_settings).collect();
+        let with_texts = requests.iter().zip(&texts);
+        let written: Vec<RunRequest<'_>> = with_texts
+            .map(|(request, text)| written(request, text.as_ref()))
+            .collect();
+        let mut answers = self.adapter.run_pack(&self.workplace, &written);
+        for (answer, _) in answers.iter_mut().zip(&texts).filter(|(_, text)| text.is_some()) {
+            // Whether the program itself is accepted is asked alone.
+            if !matches!(answer, Packed::Answered(Outcome::Executed { .. })) {
+                *answer = Packed::Alone;
+            }
+        }
+        answers
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {

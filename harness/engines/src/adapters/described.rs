@@ -16,6 +16,7 @@ use super::fingerprint::Fingerprint;
 use super::locate::{self, faulted, speaks_not, unsupported};
 use super::plain::without_colours;
 use super::probe_variable::{ProbeVariables, translate_with};
+use super::settings::run_written;
 use super::source::{main_program, observed_scans};
 use crate::engine::no_rendering;
 use crate::process::Folder;
@@ -268,8 +269,14 @@ impl DescribedSession<'_> {
         Ok(Outcome::Rendered { text: ended.stdout })
     }
 
-    /// Executes a program, with copies of observed values that are no variables of their own.
+    /// Executes a program, with what is set between scans written into it.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        let check = |request: &RunRequest<'_>| self.try_check(request.dialect, request.source);
+        run_written(request, |request| self.try_run_written(request), check)
+    }
+
+    /// Executes a program, with copies of observed values that are no variables of their own.
+    fn try_run_written(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let description = &self.engine.description;
         let (Some(run), Some(main)) = (&description.run, main_program(request)) else {
             return self
@@ -351,10 +358,8 @@ impl DescribedSession<'_> {
 /// # Errors
 /// [`Outcome::Unsupported`] where it cannot.
 fn takes_scans(run: &CommandTemplate, request: &RunRequest<'_>) -> Result<(), Outcome> {
-    if !(request.clock.is_empty() && request.set.is_empty()) {
-        return Err(unsupported(
-            "its commands take neither a clock nor values between scans",
-        ));
+    if !request.clock.is_empty() {
+        return Err(unsupported("its commands take no clock"));
     }
     if request.needs_scans() && !run.has(SCANS) {
         return Err(unsupported("its command `run` takes no number of scans"));

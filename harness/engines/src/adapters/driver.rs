@@ -9,6 +9,7 @@ use super::locate::{failed, faulted};
 use super::recipe::{Purpose, Recipe, Workplace};
 use super::values::{self, ObservedKind};
 use crate::{Outcome, RunRequest};
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fmt::Write;
 use stickler_types::Fault;
@@ -57,17 +58,36 @@ impl DrivenProgram<'_> {
     fn write_loop(&self, text: &mut String) {
         let scans = self.request.scans;
         let _ = writeln!(text, "    for (unsigned scan = 1; scan <= {scans}; scan++) {{");
-        for (scan, statement) in &self.before {
-            let _ = writeln!(text, "        if (scan == {scan}) {{ {statement} }}");
-        }
+        write_by_scan(
+            text,
+            self.before.iter().map(|(scan, statement)| (*scan, statement)),
+        );
         let _ = writeln!(text, "        {}", self.scan);
-        for (scan, statement) in &self.after {
-            if let Some(scan) = scan {
-                let _ = writeln!(text, "        if (scan == {scan}) {{ {statement} }}");
-            }
-        }
+        let after = self.after.iter();
+        write_by_scan(
+            text,
+            after.filter_map(|(scan, statement)| Some(((*scan)?, statement))),
+        );
         text.push_str("    }\n");
     }
+}
+
+/// Writes the statements of the scan that it is: a choice, for a program may have thousands of scans.
+fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (u32, &'s String)>) {
+    let mut by_scan: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
+    for (scan, statement) in statements {
+        by_scan.entry(scan).or_default().push(statement);
+    }
+    if by_scan.is_empty() {
+        return;
+    }
+    text.push_str("        switch (scan) {\n");
+    for (scan, statements) in by_scan {
+        let statements: Vec<String> = statements.iter().map(|one| format!("{{ {one} }}")).collect();
+        // Writing into a String does not fail.
+        let _ = writeln!(text, "        case {scan}: {} break;", statements.join(" "));
+    }
+    text.push_str("        }\n");
 }
 
 /// A driver of programs.

@@ -19,12 +19,14 @@ use super::fingerprint::Fingerprint;
 use super::locate::{failed, faulted, unsupported};
 use super::probe_variable::{translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::settings::copied_by_scan;
 use super::source::{MainProgram, main_program, observed_scans};
 use crate::process::Ended;
 use crate::{Diagnostic, Identity, NamedValue, NoReproduction, Outcome, RunRequest};
 use dump::Dump;
 use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use stickler_types::{DialectName, Fault};
 use texts::ReadableTexts;
@@ -115,7 +117,7 @@ impl Adapter for Ironplc {
     }
 
     fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
-        takes_no_settings(request)?;
+        takes_no_clock(request)?;
         let readbacks = Readbacks::of(request, RunHints::default());
         let text = with_shown_probes(request, main, readbacks.probes())?;
         Ok(execution(request, &text, &readbacks)?)
@@ -129,7 +131,25 @@ impl Adapter for Ironplc {
     /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let unreadable = self.texts.unreadable(workplace, request);
-        run_with(workplace, request, RunHints::without(unreadable))
+        let Some(copied) = copied_by_scan(request) else {
+            return run_with(workplace, request, RunHints::without(unreadable));
+        };
+        let with_copies = RunRequest {
+            source: &copied.text,
+            observe: &copied.observe,
+            ..*request
+        };
+        match run_with(workplace, &with_copies, RunHints::without(unreadable.clone())) {
+            Ok(Outcome::Executed { values, warnings }) => {
+                let named = request.observe.iter().zip(values);
+                let named = named
+                    .map(|(asked, (_, value))| (asked.key().to_string(), value))
+                    .collect();
+                Ok(Outcome::executed(named).with_warnings(warnings))
+            }
+            // What it does without the copies is its own.
+            _ => run_with(workplace, request, RunHints::without(unreadable)),
+        }
     }
 
     fn check(
@@ -158,16 +178,14 @@ impl Adapter for Ironplc {
     }
 }
 
-/// Checks that a request needs nothing between scans.
+/// Checks that a request sets no clock: the virtual machine's is that of the machine.
 ///
 /// # Errors
 /// [`Outcome::Unsupported`] where it does.
-fn takes_no_settings(request: &RunRequest<'_>) -> Result<(), Outcome> {
-    match request.clock.is_empty() && request.set.is_empty() {
+fn takes_no_clock(request: &RunRequest<'_>) -> Result<(), Outcome> {
+    match request.clock.is_empty() {
         true => Ok(()),
-        false => Err(unsupported(
-            "ironplcvm takes neither a clock nor values between scans",
-        )),
+        false => Err(unsupported("ironplcvm takes no clock")),
     }
 }
 
@@ -177,7 +195,7 @@ fn run_with(
     request: &RunRequest<'_>,
     hints: RunHints,
 ) -> Result<Outcome, Outcome> {
-    takes_no_settings(request)?;
+    takes_no_clock(request)?;
     let mut readbacks = Readbacks::of(request, hints);
     loop {
         let compiled = |text: &str| {
@@ -267,13 +285,16 @@ fn outcome(
     readbacks: &Readbacks,
 ) -> Result<RunResult, Outcome> {
     let last = execute(workplace, recipe, request.scans)?;
+    let mut earlier = BTreeMap::new();
+    for scan in observed_scans(request) {
+        if scan != request.scans {
+            earlier.insert(scan, execute(workplace, recipe, scan)?);
+        }
+    }
     let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
     for asked in request.observe {
-        let earlier = match asked.after {
-            Some(scan) if scan != request.scans => Some(execute(workplace, recipe, scan)?),
-            _ => None,
-        };
-        match earlier.as_ref().unwrap_or(&last) {
+        let earlier = asked.after.and_then(|scan| earlier.get(&scan));
+        match earlier.unwrap_or(&last) {
             ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
                 Ok(value) => values.push((asked.key().to_string(), value)),
                 Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),

@@ -27,6 +27,8 @@ pub(super) struct MainProgram {
     pub(super) name: String,
     /// The range from behind its name, where sections of variables may stand, to before its `END_PROGRAM`.
     pub(super) inside: Range<usize>,
+    /// The offset behind its last section of variables.
+    pub(super) body: usize,
     /// Whether the program may end before its last statement.
     pub(super) returns: bool,
 }
@@ -58,13 +60,18 @@ pub(super) fn main_program(request: &RunRequest<'_>) -> Option<MainProgram> {
 fn program<'s>(words: &mut impl Iterator<Item = Name<'s>>) -> Option<MainProgram> {
     let name = words.next()?;
     let mut returns = false;
+    let mut body = name.span.end;
     let end = words.find(|word| {
         returns |= word.is("RETURN");
+        if word.is("END_VAR") {
+            body = word.span.end;
+        }
         word.is("END_PROGRAM")
     })?;
     Some(MainProgram {
         name: name.text.to_owned(),
         inside: name.span.end as usize..end.span.start as usize,
+        body: body as usize,
         returns,
     })
 }

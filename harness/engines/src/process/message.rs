@@ -1,6 +1,6 @@
 //! Builds the requests of the wire protocol, and turns its replies into outcomes.
 
-use crate::protocol::{ClockMessage, ObserveMessage, ProgramRequest, Reply};
+use crate::protocol::{ClockMessage, ProgramRequest, Reply};
 use crate::protocol::{Request, RunMessage, SetMessage};
 use crate::{Diagnostic, NamedValue, Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
@@ -48,7 +48,7 @@ pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
         dialect: request.dialect.as_str().to_owned(),
         source: request.source.to_owned(),
         scans: request.scans,
-        observe: request.observe.iter().map(ObserveMessage::from).collect(),
+        observe: request.observe.to_vec(),
         clock: clock.collect(),
         set: set.collect(),
     })

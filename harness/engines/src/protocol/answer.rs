@@ -1,8 +1,8 @@
 //! Turns one request into one reply.
 
-use super::{ClockMessage, HelloReply, HelloRequest, ObserveMessage, PROTOCOL, ProgramRequest, Reply};
+use super::{ClockMessage, HelloReply, HelloRequest, PROTOCOL, ProgramRequest, Reply};
 use super::{RunMessage, SetMessage};
-use crate::{ClockSetting, Identity, Observation, RunRequest, Setting};
+use crate::{ClockSetting, Identity, RunRequest, Setting};
 use std::str::FromStr;
 use stickler_types::{DialectName, Value};
 
@@ -49,12 +49,16 @@ pub(super) fn run<T>(request: &RunMessage, ask: impl FnOnce(&RunRequest<'_>) -> 
     let scans = request.scans;
     let clock = each(&request.clock, |step| clock_setting(step, scans))?;
     let set = each(&request.set, |message| setting(message, scans))?;
-    let observe = each(&request.observe, |asked| observation(asked, scans))?;
+    for asked in &request.observe {
+        if let Some(after) = asked.after {
+            within(after, scans, || format!("observe {}", asked.name))?;
+        }
+    }
     Ok(ask(&RunRequest {
         dialect,
         source: &request.source,
         scans,
-        observe: &observe,
+        observe: &request.observe,
         clock: &clock,
         set: &set,
     }))
@@ -62,13 +66,6 @@ pub(super) fn run<T>(request: &RunMessage, ask: impl FnOnce(&RunRequest<'_>) -> 
 
 fn dialect(name: &str) -> Result<DialectName, String> {
     DialectName::from_str(name).map_err(|error| error.to_string())
-}
-
-fn observation(asked: &ObserveMessage, scans: u32) -> Result<Observation, String> {
-    if let Some(after) = asked.after {
-        within(after, scans, || format!("observe {}", asked.name))?;
-    }
-    Ok(Observation::from(asked))
 }
 
 fn clock_setting(step: &ClockMessage, scans: u32) -> Result<ClockSetting, String> {

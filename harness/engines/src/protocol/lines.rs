@@ -1,6 +1,6 @@
 //! Lines of bounded length from a byte stream.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read};
 
 /// The result of reading a line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -20,41 +20,21 @@ pub(super) enum Line {
 /// The errors of `input`.
 pub(super) fn next_line(input: &mut impl BufRead, buffer: &mut Vec<u8>, limit: usize) -> io::Result<Line> {
     buffer.clear();
-    let mut too_long = false;
-    let mut anything = false;
-    loop {
-        let available = match input.fill_buf() {
-            Ok(available) => available,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-            Err(error) => return Err(error),
-        };
-        if available.is_empty() {
-            return Ok(kind(anything, too_long));
-        }
-        anything = true;
-        let feed = available.iter().position(|&byte| byte == b'\n');
-        let piece = &available[..feed.unwrap_or(available.len())];
-        too_long |= buffer.len() + piece.len() > limit;
-        if too_long {
-            // Gives the memory back: an engine must not keep 64 MiB because of one bad line.
-            *buffer = Vec::new();
-        } else {
-            buffer.extend_from_slice(piece);
-        }
-        let used = piece.len() + usize::from(feed.is_some());
-        input.consume(used);
-        if feed.is_some() {
-            return Ok(kind(true, too_long));
-        }
+    // A line of the whole limit has its line feed behind it.
+    let most = limit as u64 + 1;
+    if input.by_ref().take(most).read_until(b'\n', buffer)? == 0 {
+        return Ok(Line::End);
     }
-}
-
-fn kind(anything: bool, too_long: bool) -> Line {
-    match (anything, too_long) {
-        (_, true) => Line::TooLong,
-        (true, false) => Line::Whole,
-        (false, false) => Line::End,
+    if buffer.last() == Some(&b'\n') {
+        buffer.pop();
     }
+    if buffer.len() <= limit {
+        return Ok(Line::Whole);
+    }
+    // Gives the memory back: an engine must not keep 64 MiB because of one bad line.
+    *buffer = Vec::new();
+    input.skip_until(b'\n')?;
+    Ok(Line::TooLong)
 }
 
 #[cfg(test)]

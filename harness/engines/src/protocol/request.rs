@@ -56,48 +56,13 @@ pub struct RunMessage {
     pub scans: u32,
     /// The variables whose values are wanted.
     #[serde(default)]
-    pub observe: Vec<ObserveMessage>,
+    pub observe: Vec<Observation>,
     /// The simulated time before each scan.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub clock: Vec<ClockMessage>,
     /// Variables written between scans.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub set: Vec<SetMessage>,
-}
-
-/// A variable to observe.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ObserveMessage {
-    /// The variable, or a path to an elementary value (`a[1]`, `rec.field[2].x`).
-    pub name: String,
-    /// The name of its type, a help for engines that must declare something.
-    #[serde(rename = "type", default, skip_serializing_if = "String::is_empty")]
-    pub type_name: String,
-    /// The scan (from 1) after which to look, otherwise after the last; the reply then names it `q@3`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, schemars(range(min = 1)))]
-    pub after: Option<u32>,
-}
-
-impl From<&Observation> for ObserveMessage {
-    fn from(asked: &Observation) -> ObserveMessage {
-        ObserveMessage {
-            name: asked.name.to_string(),
-            type_name: asked.type_name.to_string(),
-            after: asked.after,
-        }
-    }
-}
-
-impl From<&ObserveMessage> for Observation {
-    fn from(message: &ObserveMessage) -> Observation {
-        Observation {
-            name: message.name.as_str().into(),
-            type_name: message.type_name.as_str().into(),
-            after: message.after,
-        }
-    }
 }
 
 /// The simulated time before a scan.

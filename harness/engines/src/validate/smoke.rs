@@ -1,7 +1,6 @@
 //! The smoke set, `smoke.toml`, which says what its keys mean.
 
-use crate::Ability;
-use crate::protocol::ObserveMessage;
+use crate::{Ability, Observation};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -101,13 +100,12 @@ impl SmokeRun {
     }
 
     /// Returns what is sent to observe the variables.
-    pub(super) fn observe(&self) -> Vec<ObserveMessage> {
+    pub(super) fn observe(&self) -> Vec<Observation> {
         let message = |(key, type_name): (&str, &str)| {
             let (name, after) = key.split_once('@').unwrap_or((key, ""));
-            ObserveMessage {
-                name: name.to_owned(),
-                type_name: type_name.to_owned(),
+            Observation {
                 after: after.parse().ok(),
+                ..Observation::last(name, type_name)
             }
         };
         self.observed().map(message).collect()

@@ -1,10 +1,11 @@
 //! Tests real compilers behind their adapters by `tests/compilers.md`. Where a compiler is not installed, its test says so and passes.
 
-use crate::fixture::{Asked, Section, fits, sections, shown};
+use crate::fixture::{Asked, block, files, shown};
 use std::io::Write;
 use stickler_engines::{
     Compiler, DependencyPaths, DescribedEngine, Description, Engine, Observation, Outcome, Packed, RunRequest,
 };
+use stickler_mdtest::fits;
 
 /// Returns the compiler's engine; prints why it is skipped where there is none.
 pub fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
@@ -18,31 +19,23 @@ pub fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
     }
 }
 
-fn data() -> [Section; 2] {
-    let sections = sections(include_str!("../compilers.md"));
-    sections
-        .try_into()
-        .unwrap_or_else(|_| panic!("there are two sections"))
-}
+const DATA: &str = include_str!("../compilers.md");
 
 /// Runs the rows of a compiler.
 fn behaves(compiler: Compiler) {
     let Some(engine) = here(compiler) else { return };
-    let [Section { tests, .. }, _] = data();
+    let (_, tests) = &files(DATA)[0];
     let mut failures = Vec::new();
-    for test in &tests {
-        let source = &test.blocks[0].text;
-        for row in test
-            .rows
-            .iter()
-            .filter(|row| row[0] == "all" || row[0] == compiler.name())
-        {
+    for test in tests {
+        let source = block(test, "st").unwrap();
+        let rows = test.rows.iter().map(|row| &row.cells);
+        for row in rows.filter(|row| row[0] == "all" || row[0] == compiler.name()) {
             let asked = Asked::read(&row[1], engine.identity().dialects[0]);
-            let outcome = asked.ask(engine.session().unwrap().as_mut(), source);
+            let outcome = asked.ask(engine.session().unwrap().as_mut(), &source);
             if !fits(&row[2], &shown(&outcome)) {
                 failures.push(format!(
                     "{}\n  {}\n  gives {}",
-                    test.name,
+                    test.heading,
                     row.join(" | "),
                     shown(&outcome)
                 ));
@@ -55,7 +48,7 @@ fn behaves(compiler: Compiler) {
 /// Checks that running in packs gives the same outcomes as running alone.
 fn packs(compiler: Compiler) {
     let Some(engine) = here(compiler) else { return };
-    let [_, Section { tests, .. }] = data();
+    let (_, tests) = &files(DATA)[1];
     let observe = [Observation::last("n", "INT")];
     let requests: Vec<RunRequest<'_>> = tests[0]
         .blocks

@@ -1,12 +1,13 @@
 //! Tests the wire protocol by conversations: those of `tests/conversations/*.md` and of the README, and texts that are no lines.
 
-use crate::fixture::{fits, sections};
+use crate::fixture::block;
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use stickler_engines::protocol::serve;
 use stickler_engines::{
     Ability, Engine, EngineError, Grade, Identity, Outcome, Reference, RunRequest, Session,
 };
+use stickler_mdtest::{fits, sections};
 use stickler_types::{DialectName, Fault, Value};
 
 /// An engine that answers with the request it got, and panics where the source says so.
@@ -156,14 +157,13 @@ fn converse(engine: &dyn Engine, file: &str) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/conversations");
     let text = std::fs::read_to_string(folder.join(file)).unwrap();
     let mut failures = Vec::new();
-    for test in sections(&text).iter().flat_map(|section| &section.tests) {
-        let block = |language: &str| test.blocks.iter().find(|block| block.language == language);
-        let source = block("st").map(|block| block.text.as_str());
-        let differences = differences(engine, &block("json").unwrap().text, source);
+    for test in &sections(&text).unwrap()[1..] {
+        let source = block(test, "st");
+        let differences = differences(engine, &block(test, "json").unwrap(), source.as_deref());
         failures.extend(
             differences
                 .iter()
-                .map(|difference| format!("{file}: {}\n{difference}", test.name)),
+                .map(|difference| format!("{file}: {}\n{difference}", test.heading)),
         );
     }
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));

@@ -11,78 +11,25 @@ use std::fmt::Write;
 use stickler_engines::{
     ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Session, Setting,
 };
+use stickler_mdtest::{Section, sections};
 use stickler_types::{DialectName, Value};
 
-/// A block of code, with the words behind its fence.
-pub struct Block {
-    pub language: String,
-    pub name: String,
-    pub text: String,
-}
-
-/// A heading with the blocks and the rows of tables behind it.
-#[derive(Default)]
-pub struct Test {
-    pub name: String,
-    pub blocks: Vec<Block>,
-    pub rows: Vec<Vec<String>>,
-}
-
-/// A first heading with its blocks, and the tests behind it.
-#[derive(Default)]
-pub struct Section {
-    pub head: Test,
-    pub tests: Vec<Test>,
-}
-
-/// Reads the sections of a file.
-pub fn sections(text: &str) -> Vec<Section> {
-    let mut sections: Vec<Section> = Vec::new();
-    let mut lines = text.lines();
-    let mut in_table = false;
-    while let Some(line) = lines.next() {
-        if let Some(name) = line.strip_prefix("# ") {
-            sections.push(Section::default());
-            sections.last_mut().unwrap().head.name = name.to_owned();
-            continue;
+/// Returns the sections of a file, each with a first heading: with all that stands behind that, and the tests that follow.
+pub fn files(text: &str) -> Vec<(Section, Vec<Section>)> {
+    let mut files: Vec<(Section, Vec<Section>)> = Vec::new();
+    for section in sections(text).unwrap() {
+        match files.last_mut().filter(|_| section.level > 1) {
+            Some((_, tests)) => tests.push(section),
+            None => files.push((section, Vec::new())),
         }
-        let Some(section) = sections.last_mut() else {
-            continue;
-        };
-        if let Some(name) = line.strip_prefix("## ") {
-            section.tests.push(Test {
-                name: name.to_owned(),
-                ..Test::default()
-            });
-            continue;
-        }
-        let test = section.tests.last_mut().unwrap_or(&mut section.head);
-        if let Some(fence) = line.strip_prefix("```") {
-            let (language, name) = fence.split_once(' ').unwrap_or((fence, ""));
-            let inside: Vec<&str> = lines.by_ref().take_while(|line| *line != "```").collect();
-            test.blocks.push(Block {
-                language: language.to_owned(),
-                name: name.to_owned(),
-                text: inside.iter().map(|line| format!("{line}\n")).collect(),
-            });
-        }
-        let row = line.strip_prefix('|').and_then(|row| row.strip_suffix('|'));
-        match row {
-            // The first row names the columns.
-            Some(row) if in_table && !row.starts_with("---") => test.rows.push(cells(row)),
-            _ => {}
-        }
-        in_table = row.is_some();
     }
-    sections
+    files
 }
 
-/// Splits a row of a table into its cells; `\|` is no end of a cell.
-fn cells(row: &str) -> Vec<String> {
-    let kept = row.replace("\\|", "\u{0}");
-    kept.split('|')
-        .map(|cell| cell.trim().replace('\u{0}', "|"))
-        .collect()
+/// Returns the text of the block with these words behind its fence.
+pub fn block(section: &Section, info: &str) -> Option<String> {
+    let found = section.blocks.iter().find(|block| block.info == info)?;
+    Some(format!("{}\n", found.text))
 }
 
 /// A request, as a row of a table has it.
@@ -230,27 +177,4 @@ fn with_diagnostics(mut line: String, diagnostics: &[Diagnostic]) -> String {
         let _ = write!(line, "; {severity}{code}{place}: {}", reported.message);
     }
     line
-}
-
-/// Tells whether a text is as expected; `…` stands for anything.
-pub fn fits(expected: &str, text: &str) -> bool {
-    let mut parts = expected.split('…');
-    let Some(mut rest) = text.strip_prefix(parts.next().unwrap_or_default()) else {
-        return false;
-    };
-    let parts: Vec<&str> = parts.collect();
-    let Some((last, middle)) = parts.split_last() else {
-        return rest.is_empty();
-    };
-    for part in middle {
-        let Some(at) = rest.find(part) else { return false };
-        rest = &rest[at + part.len()..];
-    }
-    rest.ends_with(last)
-}
-
-#[test]
-fn three_points_stand_for_anything_and_nothing_else_is_left_out() {
-    assert!(fits("a…c…", "abc") && fits("…", "") && fits("ab", "ab"));
-    assert!(!fits("a…c", "abcd") && !fits("a", "ab") && !fits("b…", "ab") && !fits("ab…b", "ab"));
 }

@@ -1,10 +1,11 @@
 //! Tests reproductions: their files, and what their scripts print where the compiler is here.
 
 use crate::compilers::here;
-use crate::fixture::{Asked, sections, shown};
+use crate::fixture::{Asked, block, shown};
 use std::fs;
 use std::path::Path;
 use stickler_engines::{Ability, Compiler, Description, Engine, Reproduction, RunRequest, reproduce_and_run};
+use stickler_mdtest::sections;
 use stickler_types::DialectName;
 
 const SOURCE: &str = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE\n\
@@ -108,15 +109,14 @@ fn golden_reproductions_are_those_of_the_adapters() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
     let text = fs::read_to_string(folder.join("reproductions.md")).unwrap();
     let mut differences = Vec::new();
-    for test in sections(&text).iter().flat_map(|section| &section.tests) {
-        let block = |language: &str| test.blocks.iter().find(|block| block.language == language);
-        let source = &block("st").unwrap().text;
+    for test in &sections(&text).unwrap()[1..] {
+        let source = block(test, "st").unwrap();
         let reproductions: Vec<String> = test
             .rows
             .iter()
             .map(|row| {
-                let [engine, asked] = &row[..] else {
-                    panic!("{row:?}")
+                let [engine, asked] = &row.cells[..] else {
+                    panic!("{:?}", row.cells)
                 };
                 let asked = Asked::read(asked, DialectName::MATIEC);
                 let ability = match asked.verb.as_str() {
@@ -124,11 +124,11 @@ fn golden_reproductions_are_those_of_the_adapters() {
                     "render" => Ability::Render,
                     _ => Ability::Execute,
                 };
-                let request = asked.of(source);
+                let request = asked.of(&source);
                 let reproduction = match Compiler::from_name(engine) {
                     Some(compiler) => compiler.reproduce(&request, ability),
                     None => {
-                        let table: Description = toml::from_str(&block("toml").unwrap().text).unwrap();
+                        let table: Description = toml::from_str(&block(test, "toml").unwrap()).unwrap();
                         table.reproduce(&request, ability)
                     }
                 };
@@ -144,7 +144,7 @@ fn golden_reproductions_are_those_of_the_adapters() {
             })
             .collect();
         let found = reproductions.concat();
-        let file = folder.join(format!("reproductions/{}.txt", test.name.replace(' ', "-")));
+        let file = folder.join(format!("reproductions/{}.txt", test.heading.replace(' ', "-")));
         if std::env::var_os("STICKLER_BLESS").is_some() {
             fs::write(&file, &found).unwrap();
         }

@@ -1,6 +1,6 @@
 //! Tests engines with scripts that stand in for their programs: `tests/stand-ins/*.md`, which [`fixture`](crate::fixture) reads.
 
-use crate::fixture::{Asked, Block, Section, Test, fits, sections, shown};
+use crate::fixture::{Asked, block, files, shown};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -9,6 +9,7 @@ use stickler_engines::{
     Compiler, DependencyPaths, DescribedEngine, Description, Engine, Grade, Outcome, Packed, ProcessEngine,
     ProcessLimits,
 };
+use stickler_mdtest::{Section, fits};
 use tempfile::TempDir;
 
 /// Limits that suffice on a busy machine; a section with a program that hangs has shorter ones.
@@ -19,10 +20,13 @@ pub const LIMITS: ProcessLimits = ProcessLimits {
     memory: 4 << 30,
 };
 
-/// Writes the files of blocks into a folder; those in `sh` are programs.
-fn write(blocks: &[Block], folder: &Path) {
-    for Block { language, name, text } in blocks.iter().filter(|block| !block.name.is_empty()) {
-        let file = folder.join(name);
+/// Writes the files of a section into a folder; those in `sh` are programs.
+fn write(section: &Section, folder: &Path) {
+    for block in &section.blocks {
+        let Some((language, name)) = block.info.split_once(' ') else {
+            continue;
+        };
+        let (file, text) = (folder.join(name), format!("{}\n", block.text));
         fs::create_dir_all(file.parent().unwrap()).unwrap();
         if language != "sh" {
             fs::write(file, text).unwrap();
@@ -32,22 +36,15 @@ fn write(blocks: &[Block], folder: &Path) {
         // just starting, could not be run.
         let script = r#"printf '#!/bin/sh\n%s' "$1" >"$2" && chmod 700 "$2""#;
         let written = Command::new("sh")
-            .args(["-c", script, "sh", text])
+            .args(["-c", script, "sh", &text])
             .arg(file)
             .status();
         assert!(written.unwrap().success());
     }
 }
 
-fn block<'b>(blocks: &'b [Block], language: &str, name: &str) -> Option<&'b str> {
-    let found = blocks
-        .iter()
-        .find(|block| block.language == language && block.name == name);
-    found.map(|block| block.text.as_str())
-}
-
 /// Returns the engine of the files in a folder, or why there is none.
-fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>, String> {
+fn engine(kind: &str, section: &Section, folder: &Path) -> Result<Box<dyn Engine>, String> {
     let engine = match Compiler::from_name(kind) {
         Some(compiler) => {
             let named = |paths: DependencyPaths, dependency: &stickler_engines::Dependency| {
@@ -61,8 +58,8 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
             compiler.seek(kind, kind, &paths.without_variables()).engine
         }
         None if kind == "described" => {
-            let table = block(blocks, "toml", "").expect("a table");
-            let description: Description = toml::from_str(table).map_err(|error| error.to_string())?;
+            let table = block(section, "toml").expect("a table");
+            let description: Description = toml::from_str(&table).map_err(|error| error.to_string())?;
             description
                 .check()
                 .map_err(|(key, reason)| format!("{key}: {reason}"))?;
@@ -71,7 +68,7 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
         }
         None => {
             let number = |key: &str| {
-                let limits = block(blocks, "toml", "").unwrap_or_default();
+                let limits = block(section, "toml").unwrap_or_default();
                 let limits: toml::Table = limits.parse().unwrap();
                 limits
                     .get(key)
@@ -85,9 +82,9 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
             let unruly = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/adapters/unruly.sh");
             let own = folder.join("adapter");
             let script = if own.is_file() { own } else { unruly };
-            let written = block(blocks, "toml", "command").map(|command| command.trim_end().to_owned());
+            let written = block(section, "toml command");
             let line = written.unwrap_or_else(|| format!("sh '{}'", script.display()));
-            let started = ProcessEngine::start(&line, limits);
+            let started = ProcessEngine::start(line.trim_end(), limits);
             started.map(|engine| Box::new(engine) as Box<dyn Engine>)
         }
     };
@@ -95,23 +92,21 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
 }
 
 /// Returns the program of a row.
-fn source(test: &Test, please: &str) -> String {
-    match block(&test.blocks, "st", "") {
-        Some(source) => source.to_owned(),
-        None => format!("PROGRAM main\n(* please: {please} *)\nEND_PROGRAM\n"),
-    }
+fn source(test: &Section, please: &str) -> String {
+    let plain = || format!("PROGRAM main\n(* please: {please} *)\nEND_PROGRAM\n");
+    block(test, "st").unwrap_or_else(plain)
 }
 
 /// Runs a test on an engine. Returns the rows whose outcome is another, with that.
-fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
+fn failures(engine: &dyn Engine, test: &Section) -> Vec<String> {
     let mut session = engine.session().unwrap();
     let dialect = engine.identity().dialects[0];
     let rows: Vec<(String, Asked, &String)> = test
         .rows
         .iter()
-        .map(|row| match &row[..] {
+        .map(|row| match &row.cells[..] {
             [please, asked, expected] => (source(test, please), Asked::read(asked, dialect), expected),
-            other => panic!("{}: {other:?}", test.name),
+            other => panic!("{}: {other:?}", test.heading),
         })
         .collect();
     let packed: Vec<_> = rows
@@ -122,32 +117,34 @@ fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
     let mut packed = session.run_pack(&requests).into_iter();
     let mut failures = Vec::new();
     for (row, (source, asked, expected)) in test.rows.iter().zip(&rows) {
-        let mut check = |row: &[String], shown: &str| {
+        let mut check = |shown: &str| {
             if !fits(expected, shown) {
-                failures.push(format!("  {}\n  gives     {shown}", row.join(" | ")));
+                failures.push(format!("  {}\n  gives     {shown}", row.cells.join(" | ")));
             }
         };
         let outcome = match asked.verb.as_str() {
             "name" => {
-                check(row, &engine.identity().name);
+                check(&engine.identity().name);
                 continue;
             }
             "identity" => {
                 let identity = engine.identity();
                 let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
-                check(
-                    row,
-                    &format!("{} {} {}", identity.version, abilities.join(" "), identity.grade),
-                );
+                check(&format!(
+                    "{} {} {}",
+                    identity.version,
+                    abilities.join(" "),
+                    identity.grade
+                ));
                 continue;
             }
             "packed" => match packed.next() {
                 Some(Packed::Answered(outcome)) => outcome,
-                other => panic!("{}: {other:?}", test.name),
+                other => panic!("{}: {other:?}", test.heading),
             },
             _ => asked.ask(session.as_mut(), source),
         };
-        check(row, &shown(&outcome));
+        check(&shown(&outcome));
     }
     failures
 }
@@ -159,27 +156,24 @@ fn run(file: &str) {
         .join(file);
     let text = fs::read_to_string(&path).unwrap();
     let mut failed = Vec::new();
-    for Section { head, tests } in sections(&text) {
+    for (head, tests) in files(&text) {
         // Only Linux tells how much memory a process holds.
-        let told = cfg!(target_os = "linux") || !head.name.contains("memory");
+        let told = cfg!(target_os = "linux") || !head.heading.contains("memory");
         for test in tests.iter().filter(|_| told) {
             let folder = TempDir::new().unwrap();
-            write(&head.blocks, folder.path());
-            write(&test.blocks, folder.path());
-            let all = if test.blocks.iter().any(|block| block.language == "toml") {
-                &test.blocks
-            } else {
-                &head.blocks
-            };
-            let engine = engine(file.trim_end_matches(".md"), all, folder.path());
-            let failures = match (engine, block(&test.blocks, "text", "")) {
+            write(&head, folder.path());
+            write(test, folder.path());
+            let has_table = test.blocks.iter().any(|block| block.info.starts_with("toml"));
+            let described = if has_table { test } else { &head };
+            let engine = engine(file.trim_end_matches(".md"), described, folder.path());
+            let failures = match (engine, block(test, "text")) {
                 (Ok(engine), None) => failures(engine.as_ref(), test),
                 (Err(reason), None) if reason.contains("there is no `cc`") => continue,
                 (Err(reason), Some(expected)) if fits(expected.trim_end(), reason.trim_end()) => Vec::new(),
                 (Err(reason), _) => vec![format!("  there is no engine: {reason}")],
                 (Ok(_), Some(_)) => vec!["  there is an engine".to_owned()],
             };
-            let named = |failure| format!("{file}: {} / {}\n{failure}", head.name, test.name);
+            let named = |failure| format!("{file}: {} / {}\n{failure}", head.heading, test.heading);
             failed.extend(failures.into_iter().map(named));
         }
     }
@@ -216,11 +210,10 @@ fn process() {
 fn a_description_of_ironplc_does_what_its_adapter_does() {
     let text =
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/stand-ins/ironplc.md")).unwrap();
-    let sections = sections(&text);
-    let Section { head, .. } = &sections[0];
+    let (head, _) = &files(&text)[0];
     let folder = TempDir::new().unwrap();
-    write(&head.blocks, folder.path());
-    let adapter = engine("ironplc", &head.blocks, folder.path()).unwrap();
+    write(head, folder.path());
+    let adapter = engine("ironplc", head, folder.path()).unwrap();
     let table = include_str!("../described/ironplc.toml");
     // Nothing says what its codes mean.
     let without_grade: String = table

@@ -63,7 +63,9 @@ impl UnaryCall<'_> {
             "conversions.rounding" | "conversions.out-of-range" => {
                 is_pair && from.is_real() && to.is_integer()
             }
-            TRUNCATION_OUT_OF_RANGE => from.is_real() && to.is_integer() && self.basis(&one(from)).is_some(),
+            TRUNCATION_OUT_OF_RANGE => {
+                from.is_real() && to.is_integer() && self.basis(&Value::of_real(from, 1.0)).is_some()
+            }
             "conversions.text-reading" => {
                 is_pair
                     && from.family() == Family::Text
@@ -71,7 +73,7 @@ impl UnaryCall<'_> {
             }
             "conversions.real-text" => is_pair && from.is_real() && to.family() == Family::Text,
             "conversions.bit-string-text" => is_pair && from.is_bit_string() && to.family() == Family::Text,
-            "conversions.moment-text" => is_pair && is_moment(from) && to.family() == Family::Text,
+            "conversions.moment-text" => is_pair && from.is_moment() && to.family() == Family::Text,
             "conversions.bits-as-real" => {
                 is_pair && (from.is_bit_string() && to.is_real() || from.is_real() && to.is_bit_string())
             }
@@ -79,7 +81,7 @@ impl UnaryCall<'_> {
                 is_pair && (from.is_signed() && to.is_bit_string() || from.is_bit_string() && to.is_signed())
             }
             "conversions.bit-string-as-bool" => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
-            "conversions.moment-units" => is_pair && (is_moment(from) || is_moment(to)),
+            "conversions.moment-units" => is_pair && (from.is_moment() || to.is_moment()),
             _ => false,
         }
     }
@@ -97,20 +99,6 @@ impl UnaryCall<'_> {
             _ => false,
         }
     }
-}
-
-/// Returns whether a type is a duration, a date, a time of day or both.
-fn is_moment(ty: ElementaryType) -> bool {
-    ty.is_duration() || ty.is_date_or_time()
-}
-
-/// Returns the number 1 of a real type.
-fn one(ty: ElementaryType) -> Value {
-    let bits = match ty {
-        ElementaryType::Real => u64::from(1.0_f32.to_bits()),
-        _ => 1.0_f64.to_bits(),
-    };
-    Value::plain(ty, bits)
 }
 
 /// Returns the basis of the statement of a choice, if the dialect makes it beside its documents.

@@ -39,7 +39,7 @@ impl UnaryCall<'_> {
             // Within 2^-126 and 2^127.
             (RealNumber, RealNumber) => {
                 let is_near = self.to == ElementaryType::Lreal
-                    || !matches!(operand, Real::Finite { significand: 1.., exponent, .. } if !(-178..=74).contains(&exponent));
+                    || !matches!(operand, Real::Finite(number) if number.significand > 0 && !(-178..=74).contains(&number.exponent));
                 return is_near.then(|| self.of_real_to_real(raw));
             }
             (Boolean | BitString | Signed | Unsigned, Signed | Unsigned | BitString)

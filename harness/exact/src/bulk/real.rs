@@ -69,6 +69,7 @@ impl Parts {
             Rounding::HalfAwayFromZero => rest >= half,
             Rounding::Up => rest != 0 && !self.negative,
             Rounding::Down => rest != 0 && self.negative,
+            Rounding::AwayFromZero => rest != 0,
         };
         whole + up as u64
     }
@@ -227,7 +228,7 @@ pub fn integral(
             }
         };
     }
-    one_loop_for_each!(Truncate HalfToEven HalfAwayFromZero Up Down);
+    one_loop_for_each!(Truncate HalfToEven HalfAwayFromZero Up Down AwayFromZero);
 }
 
 /// Converts REAL to an integer modulo 2^n; NaN and the infinities give 0.

@@ -48,7 +48,7 @@ fn is_slow(signature: &Signature, choices: &ConversionChoices) -> bool {
         || match choices.moment_units {
             MomentUnits::Seconds | MomentUnits::DaysSince1990 => false,
             MomentUnits::DaysAndMilliseconds => is_real && to.family() == Family::Date,
-            MomentUnits::Counts => is_real && (to.is_duration() || to.is_date_or_time()),
+            MomentUnits::Counts => is_real && to.is_moment(),
             MomentUnits::ShortTime => to == ElementaryType::Time,
         }
 }

@@ -55,17 +55,10 @@ fn by_definition(raw: u64, ty: ElementaryType) -> Option<Fraction> {
 }
 
 fn fraction(real: Real) -> Option<Fraction> {
-    let Real::Finite {
-        negative,
-        significand,
-        exponent,
-    } = real
-    else {
-        return None;
-    };
-    let magnitude =
-        Fraction::from_integer(significand.into()) * Fraction::from_integer(2.into()).pow(exponent);
-    Some(if negative { -magnitude } else { magnitude })
+    let Real::Finite(number) = real else { return None };
+    let magnitude = Fraction::from_integer(number.significand.into())
+        * Fraction::from_integer(2.into()).pow(number.exponent);
+    Some(if number.negative { -magnitude } else { magnitude })
 }
 
 #[test]
@@ -74,13 +67,12 @@ fn bits_are_taken_apart_by_definition_and_put_together_again() {
         for raw in raw_forms(ty) {
             let decoded = decode(raw, ty);
             assert_eq!(fraction(decoded), by_definition(raw, ty), "{raw:X}");
-            if let Real::Finite {
-                negative,
-                significand,
-                exponent,
-            } = decoded
-            {
-                assert_eq!(nearest(negative, significand.into(), false, exponent, ty), raw);
+            if let Real::Finite(number) = decoded {
+                let significand = number.significand.into();
+                assert_eq!(
+                    nearest(number.negative, significand, false, number.exponent, ty),
+                    raw
+                );
             }
         }
     }
@@ -184,6 +176,8 @@ fn whole_by_fractions(exact: &Fraction, rounding: Rounding) -> BigInt {
         Rounding::Truncate => exact.trunc(),
         Rounding::Up => exact.ceil(),
         Rounding::Down => exact.floor(),
+        Rounding::AwayFromZero if exact.numer().sign() == num_bigint::Sign::Minus => exact.floor(),
+        Rounding::AwayFromZero => exact.ceil(),
         Rounding::HalfAwayFromZero => away(exact),
         Rounding::HalfToEven => {
             let below = exact.floor();
@@ -208,18 +202,13 @@ fn integers_are_those_that_fractions_round_to() {
             (bits & ((1 << shift) - 1) & !(u64::MAX >> (bits >> 58))) | exponent << shift
         });
         for raw in raw_forms(ty).chain(near_one) {
-            let Real::Finite {
-                negative,
-                significand,
-                exponent,
-            } = decode(raw, ty)
-            else {
+            let Real::Finite(finite) = decode(raw, ty) else {
                 continue;
             };
             let exact = by_definition(raw, ty).unwrap();
             for &rounding in Rounding::ALL {
                 let expected = whole_by_fractions(&exact, rounding);
-                match to_whole(negative, significand, exponent, rounding) {
+                match to_whole(finite, rounding) {
                     Whole::Number(number) => {
                         assert_eq!(BigInt::from(number), expected, "{raw:X} {rounding:?}")
                     }

@@ -195,11 +195,7 @@ pub(super) fn scaled(significand: u64, exponent: i32, ty: ElementaryType) -> Rou
     let scaled = number.scaled(places);
     let raw = quotient::nearest(false, &scaled.numerator, &scaled.denominator, ty);
     let whole = match real::decode(raw, ty) {
-        Real::Finite {
-            significand,
-            exponent,
-            ..
-        } => real::to_whole(false, significand, exponent, Rounding::HalfAwayFromZero),
+        Real::Finite(number) => real::to_whole(number, Rounding::HalfAwayFromZero),
         _ => Whole::Huge { negative: false },
     };
     match whole {

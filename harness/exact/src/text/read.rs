@@ -28,9 +28,12 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         .iter()
         .map(|&unit| u8::try_from(unit).unwrap_or(0xFF))
         .collect();
-    if choices.text_reading == TextReading::LeadingDigits
-        && let Some(value) = leading_digits(&bytes, to)
-    {
+    let leading = match choices.text_reading {
+        TextReading::LeadingDigits => leading_digits(&bytes, to),
+        TextReading::LeadingFixedPoint => leading_fixed_point(&bytes, to),
+        _ => None,
+    };
+    if let Some(value) = leading {
         return value;
     }
     if choices.text_reading == TextReading::LooseDigits {
@@ -46,7 +49,8 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         Family::Boolean => whole(&mut scanner, |scanner| boolean(scanner).map(u64::from)),
         Family::Signed | Family::Unsigned | Family::BitString => number(&mut scanner, choices, |scanner| {
             let integer = Integer::read(scanner)?;
-            let is_outside = choices.text_reading == TextReading::WholeTextInRange && !is_held(&integer, to);
+            let holds_all = [TextReading::WholeTextInRange, TextReading::LooseDigits];
+            let is_outside = holds_all.contains(&choices.text_reading) && !is_held(&integer, to);
             (!is_outside).then(|| residue(integer, to))
         }),
         Family::Real => number(&mut scanner, choices, |scanner| real_number(scanner, to)),
@@ -89,6 +93,24 @@ fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
     }
 }
 
+/// Returns the number that a decimal number without an exponent at the beginning spells, behind blanks, and with commas before its point; an
+/// integer is cut at the point, and 0 if the type does not hold it. `None` for types that are no numbers.
+fn leading_fixed_point(bytes: &[u8], to: ElementaryType) -> Option<u64> {
+    let blanks = bytes.iter().take_while(|&&byte| byte == b' ').count();
+    let is_of_number = |byte: &&u8| byte.is_ascii_digit() || b",.+-".contains(byte);
+    let text: Vec<u8> = bytes[blanks..].iter().take_while(is_of_number).copied().collect();
+    let point = text.iter().position(|&byte| byte == b'.').unwrap_or(text.len());
+    let commas = |(at, byte): &(usize, u8)| *byte != b',' || *at > point;
+    let text: Vec<u8> = (0..).zip(text).filter(commas).map(|(_, byte)| byte).collect();
+    if to.is_real() {
+        return leading_digits(&text, to);
+    }
+    let integer =
+        Integer::read_decimal(&mut LiteralScanner::new(&text)).filter(|integer| is_held(integer, to));
+    to.is_integer()
+        .then(|| integer.map_or(0, |integer| residue(integer, to)))
+}
+
 /// Returns the text without the blanks at either end, and without all that counts as white space where the choice is a literal.
 fn trimmed(text: &[u8], reading: TextReading) -> &[u8] {
     let is_kept =
@@ -117,7 +139,8 @@ fn number<'t>(
         TextReading::WholeText
         | TextReading::WholeTextInRange
         | TextReading::WholeLiteral
-        | TextReading::LooseDigits => whole(scanner, read),
+        | TextReading::LooseDigits
+        | TextReading::LeadingFixedPoint => whole(scanner, read),
         TextReading::LeadingNumber | TextReading::LeadingDigits => read(scanner),
     }
 }

@@ -3,7 +3,7 @@
 use super::digits::{self, RoundedDecimal};
 use crate::calendar;
 use crate::integer;
-use crate::real::{self, Real};
+use crate::real::{self, Finite, Real};
 use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, MomentText, RealText};
 
 /// Returns the text of a value that is neither a text nor a character, in ASCII characters.
@@ -20,7 +20,7 @@ use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, M
 /// Basis: harness/engines/README.md (how values are written); for integers forgeiec-conversion-functions: The naming pattern.
 pub(crate) fn write(raw: u64, from: ElementaryType, choices: &ConversionChoices) -> String {
     let nanoseconds = i128::from(raw.cast_signed());
-    if choices.moment_text == MomentText::Components && (from.is_duration() || from.is_date_or_time()) {
+    if choices.moment_text == MomentText::Components && from.is_moment() {
         return moment(raw, from);
     }
     match from.family() {
@@ -94,7 +94,7 @@ fn fraction(number: u128, digits: usize) -> String {
 }
 
 fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
-    let (negative, significand, exponent) = match real::decode(raw, from) {
+    let number = match real::decode(raw, from) {
         Real::NotANumber if form == RealText::ByWidth => return "#NaN".to_owned(),
         Real::Infinite { negative } if form == RealText::ByWidth => {
             return if negative { "-#Inf" } else { "#Inf" }.to_owned();
@@ -102,12 +102,13 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
         Real::NotANumber => return "NaN".to_owned(),
         Real::Infinite { negative: false } => return "Infinity".to_owned(),
         Real::Infinite { negative: true } => return "-Infinity".to_owned(),
-        Real::Finite {
-            negative,
-            significand,
-            exponent,
-        } => (negative, significand, exponent),
+        Real::Finite(number) => number,
     };
+    let Finite {
+        significand,
+        exponent,
+        ..
+    } = number;
     let magnitude = match form {
         RealText::ByWidth if significand == 0 => return "0.0".to_owned(),
         RealText::ByWidth => by_width(&digits::scaled(significand, exponent, from), from),
@@ -121,7 +122,7 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
             as_printf_does(&digits::significant(significand, exponent, count), count)
         }
     };
-    if negative {
+    if number.negative {
         format!("-{magnitude}")
     } else {
         magnitude

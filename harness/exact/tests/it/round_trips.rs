@@ -77,7 +77,7 @@ fn what_is_written_is_the_canonical_literal_but_for_the_prefix() {
             let text = String::from_utf16(&units).unwrap();
             let canonical = original.to_string();
             let literal = canonical.strip_prefix(&format!("{ty}#")).unwrap();
-            let bare = if ty.is_duration() || ty.is_date_or_time() {
+            let bare = if ty.is_moment() {
                 text.split_once('#').unwrap().1
             } else {
                 &text

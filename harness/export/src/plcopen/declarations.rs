@@ -59,6 +59,9 @@ impl PageSource<'_> {
     fn write_specification(&self, xml: &mut Xml, ty: &TypeSpecification<'_>) -> io::Result<()> {
         match &ty.kind {
             TypeSpecificationKind::Named(name) => write_named(xml, name.text),
+            TypeSpecificationKind::Pointer { target, .. } => nested(xml, "pointer", [], |xml| {
+                nested(xml, "baseType", [], |xml| self.write_specification(xml, target))
+            }),
             // The parser has reported an error of which nothing is written.
             TypeSpecificationKind::Error => Ok(()),
             TypeSpecificationKind::Text { name, length } => {

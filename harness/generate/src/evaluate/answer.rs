@@ -145,6 +145,9 @@ pub enum EvaluationError {
     IllFormed(&'static str),
 }
 
+/// What the evaluator computes, or why there is no value.
+pub(super) type Evaluated<T> = Result<T, EvaluationError>;
+
 /// Returns the error for a model whose parts contradict each other.
 pub(super) const fn ill_formed(contradiction: &'static str) -> EvaluationError {
     EvaluationError::IllFormed(contradiction)

@@ -2,8 +2,9 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ill_formed};
+use super::{Evaluated, OpenQuestion, ill_formed};
 use crate::model::{Argument, ExpressionKind, Place, Type, VariableId, VariableSection};
+use std::ops::Range;
 use std::rc::Rc;
 
 impl<'p> ModelEvaluator<'p> {
@@ -11,104 +12,83 @@ impl<'p> ModelEvaluator<'p> {
     ///
     /// Basis: iec-61131-3: 6.6.1 (variables of a function start afresh with each call; an input without an argument has its
     /// initial value).
-    pub fn call(
-        &mut self,
-        caller: Activation<'p>,
-        function: usize,
-        arguments: &'p [Argument],
-    ) -> Result<Vec<MemoryCell>, EvaluationError> {
+    pub fn call(&mut self, function: usize, arguments: &'p [Argument]) -> Evaluated<Vec<MemoryCell>> {
         let missing = ill_formed("a call of an undeclared function");
         let called = self.program.functions.get(function).ok_or(missing)?;
         let offsets = self.layout.functions.get(function).ok_or(missing)?;
         let base = self.memory.len();
-        let size = self.layout.size(&called.result)?;
         let unit = Activation {
-            name: &called.name,
-            variables: &called.variables,
+            pou: called,
             offsets,
             base,
-            result: Some((base + offsets.size, &called.result)),
         };
+        let (end, ty) = unit.result().ok_or(missing)?;
+        let size = self.layout.size(ty)?;
         // The arguments are evaluated while the callee's cells are not there yet: an argument may be a call itself.
-        let given = self.arguments(caller, unit, arguments)?;
-        self.enter(unit, function)?;
-        for (offset, cells) in given {
-            self.write(base + offset, cells)?;
-        }
-        self.statements(unit, &called.body)?;
-        let end = base + offsets.size;
-        let result = self
-            .memory
-            .get(end..end + size)
-            .map(<[MemoryCell]>::to_vec)
-            .ok_or(missing)?;
+        let given = self.arguments(unit, arguments)?;
+        self.within(unit, |evaluator| {
+            evaluator.enter(function)?;
+            evaluator.write_all(given)?;
+            evaluator.statements(&called.body)
+        })?;
+        let result = self.memory.get(end..end + size).ok_or(missing)?.to_vec();
         self.memory.truncate(base);
         Ok(result)
     }
 
     /// Appends the cells of a function in their initial state, followed by those of its result.
-    fn enter(&mut self, unit: Activation<'p>, function: usize) -> Result<(), EvaluationError> {
+    fn enter(&mut self, function: usize) -> Evaluated<()> {
         if let Some(image) = self.images.get(function).and_then(Option::clone) {
             self.memory.extend_from_slice(&image);
             return Ok(());
         }
-        self.start(unit)?;
-        if let Some((at, ty)) = unit.result {
+        self.start()?;
+        if let Some((at, ty)) = self.unit.result() {
             let size = self.layout.size(ty)?;
             self.memory.resize(at + size, MemoryCell::Plain(0));
-            self.default(unit, ty, at)?;
+            self.default(ty, at)?;
         }
-        let image: Rc<[MemoryCell]> = self.memory.get(unit.base..).unwrap_or_default().into();
+        let image: Rc<[MemoryCell]> = self.memory.get(self.unit.base..).unwrap_or_default().into();
         if let Some(slot) = self.images.get_mut(function) {
             *slot = Some(image);
         }
         Ok(())
     }
 
-    /// Evaluates arguments, each with the offset of its parameter.
+    /// Evaluates arguments, each with the first cell of its parameter.
     fn arguments(
         &mut self,
-        caller: Activation<'p>,
         callee: Activation<'p>,
         arguments: &'p [Argument],
-    ) -> Result<Vec<(usize, Vec<MemoryCell>)>, EvaluationError> {
+    ) -> Evaluated<Vec<(usize, Vec<MemoryCell>)>> {
         let unknown = ill_formed("an argument for an undeclared parameter");
         let mut given = Vec::with_capacity(arguments.len());
         for argument in arguments {
-            let offset = *callee
-                .offsets
-                .variables
-                .get(argument.parameter.0)
-                .ok_or(unknown)?;
-            let parameter = callee.variables.get(argument.parameter.0).ok_or(unknown)?;
+            let VariableId(number) = argument.parameter;
+            let offset = callee.offsets.variables.get(number).ok_or(unknown)?;
+            let parameter = callee.pou.variables.get(number).ok_or(unknown)?;
             let cells = if parameter.section == VariableSection::InOut {
-                vec![self.behind(caller, argument)?]
+                vec![self.behind(argument)?]
             } else {
-                self.cells(caller, &argument.value)?
+                self.cells(&argument.value)?
             };
-            given.push((offset, cells));
+            given.push((callee.base + offset, cells));
         }
         Ok(given)
     }
 
     /// Returns the address of the variable that an in-out argument refers to.
-    fn behind(
-        &mut self,
-        caller: Activation<'p>,
-        argument: &'p Argument,
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn behind(&mut self, argument: &'p Argument) -> Evaluated<MemoryCell> {
         let ExpressionKind::Read(place) = &argument.value.kind else {
             return Err(ill_formed("an in-out argument that is not a variable"));
         };
-        let address = self.locate(caller, place)?;
+        let address = self.locate(place)?;
         Ok(MemoryCell::Plain(address as u64))
     }
 
-    fn write(&mut self, address: usize, cells: Vec<MemoryCell>) -> Result<(), EvaluationError> {
-        for (index, cell) in cells.into_iter().enumerate() {
-            self.store(address + index, cell)?;
-        }
-        Ok(())
+    fn write_all(&mut self, given: Vec<(usize, Vec<MemoryCell>)>) -> Evaluated<()> {
+        let mut given = given.into_iter();
+        given.try_for_each(|(address, cells)| self.write(address, &cells))
     }
 
     /// Invokes an instance: copies the inputs, executes the body, copies the outputs. Inputs that are not given keep their
@@ -117,92 +97,67 @@ impl<'p> ModelEvaluator<'p> {
     /// Basis: iec-61131-3: 6.6.3.
     pub fn invoke(
         &mut self,
-        caller: Activation<'p>,
         instance: VariableId,
         inputs: &'p [Argument],
         outputs: &'p [(VariableId, Place)],
-    ) -> Result<(), EvaluationError> {
+    ) -> Evaluated<()> {
         let missing = ill_formed("an invocation of a variable that is not an instance");
-        let (base, ty) = self.variable(caller, instance)?;
+        let (base, ty) = self.variable(instance)?;
         let Type::Block(index) = self.resolved(ty) else {
             return Err(missing);
         };
-        let block = self.program.blocks.get(*index).ok_or(missing)?;
-        let unit = Activation {
-            name: &block.name,
-            variables: &block.variables,
-            offsets: self.layout.blocks.get(*index).ok_or(missing)?,
-            base,
-            result: None,
-        };
-        let given = self.arguments(caller, unit, inputs)?;
-        for (offset, cells) in given {
-            self.write(base + offset, cells)?;
-        }
-        self.check_in_outs(caller, unit, inputs)?;
-        let targets = self.places(caller, outputs)?;
-        self.statements(unit, &block.body)?;
-        self.capture(caller, unit, outputs, &targets)
+        let unit = self.instance(*index, base)?;
+        let given = self.arguments(unit, inputs)?;
+        self.write_all(given)?;
+        self.check_in_outs(unit, inputs)?;
+        let targets = self.places(outputs)?;
+        self.within(unit, |evaluator| evaluator.statements(&unit.pou.body))?;
+        self.capture(unit, outputs, &targets)
     }
 
     /// Raises a question where two in-outs of one invocation share a cell: copying in and out would differ from references.
-    fn check_in_outs(
-        &mut self,
-        caller: Activation<'p>,
-        callee: Activation<'p>,
-        inputs: &'p [Argument],
-    ) -> Result<(), EvaluationError> {
-        let mut taken: Vec<std::ops::Range<usize>> = Vec::new();
+    fn check_in_outs(&mut self, callee: Activation<'p>, inputs: &'p [Argument]) -> Evaluated<()> {
+        let mut taken: Vec<Range<usize>> = Vec::new();
         for argument in inputs {
-            let is_in_out = callee
-                .variables
-                .get(argument.parameter.0)
-                .is_some_and(|parameter| parameter.section == VariableSection::InOut);
-            if !is_in_out {
+            let parameter = callee.pou.variables.get(argument.parameter.0);
+            if parameter.is_none_or(|parameter| parameter.section != VariableSection::InOut) {
                 continue;
             }
-            let (start, ty) = self.variable(callee, argument.parameter)?;
+            let (start, ty) = self.within(callee, |evaluator| evaluator.variable(argument.parameter))?;
             let cells = start..start + self.layout.size(ty)?;
-            if taken
-                .iter()
-                .any(|other| other.start < cells.end && cells.start < other.end)
-            {
-                self.open(OpenQuestion::AliasedInOut, caller, || callee.name.to_owned());
+            let is_shared = |other: &Range<usize>| other.start < cells.end && cells.start < other.end;
+            if taken.iter().any(is_shared) {
+                self.open(OpenQuestion::AliasedInOut, || callee.pou.name.clone());
             }
             taken.push(cells);
         }
         Ok(())
     }
 
-    fn places(
-        &mut self,
-        caller: Activation<'p>,
-        outputs: &'p [(VariableId, Place)],
-    ) -> Result<Vec<usize>, EvaluationError> {
-        outputs
-            .iter()
-            .map(|(_, place)| self.locate(caller, place))
-            .collect()
+    fn places(&mut self, outputs: &'p [(VariableId, Place)]) -> Evaluated<Vec<usize>> {
+        outputs.iter().map(|(_, place)| self.locate(place)).collect()
     }
 
     /// Copies the outputs to their places, and raises a question where the invocation has moved a place.
     fn capture(
         &mut self,
-        caller: Activation<'p>,
         callee: Activation<'p>,
         outputs: &'p [(VariableId, Place)],
         before: &[usize],
-    ) -> Result<(), EvaluationError> {
-        let after = self.places(caller, outputs)?;
+    ) -> Evaluated<()> {
+        let after = self.places(outputs)?;
         if after != before {
-            self.open(OpenQuestion::OutputPlace, caller, || callee.name.to_owned());
+            self.open(OpenQuestion::OutputPlace, || callee.pou.name.clone());
         }
         for ((output, _), at) in outputs.iter().zip(after) {
-            let (from, ty) = self.variable(callee, *output)?;
-            for index in 0..self.layout.size(ty)? {
-                let cell = self.load(callee, from + index)?;
-                self.store(at + index, cell)?;
-            }
+            let cells = self.within(callee, |evaluator| {
+                let (from, ty) = evaluator.variable(*output)?;
+                let size = evaluator.layout.size(ty)?;
+                (from..from + size)
+                    .map(|address| evaluator.load(address))
+                    .collect::<Evaluated<Vec<_>>>()
+            })?;
+            self.write(at, &cells)?;
         }
         Ok(())
     }

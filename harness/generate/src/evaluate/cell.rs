@@ -1,6 +1,6 @@
 //! Memory cells, one for each elementary variable.
 
-use super::{EvaluationError, OpenQuestion, ill_formed};
+use super::{Evaluated, OpenQuestion, ill_formed};
 use stickler_types::{ElementaryType, Value};
 
 /// The content of one elementary variable.
@@ -16,7 +16,7 @@ pub(super) enum MemoryCell {
 
 impl MemoryCell {
     /// Converts the content to a value of an elementary type.
-    pub fn into_value(self, ty: ElementaryType) -> Result<Value, EvaluationError> {
+    pub fn into_value(self, ty: ElementaryType) -> Evaluated<Value> {
         match self {
             MemoryCell::Plain(raw) | MemoryCell::Unsettled(raw, _) if !ty.is_text() => {
                 Ok(Value::plain(ty, raw))
@@ -27,11 +27,11 @@ impl MemoryCell {
     }
 
     /// Creates the cell of an elementary value.
-    pub fn of_value(value: Value) -> Result<MemoryCell, EvaluationError> {
+    pub fn of_value(value: Value) -> Evaluated<MemoryCell> {
         match value {
             Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),
             Value::Text { units, .. } => Ok(MemoryCell::Text(units.into_boxed_slice())),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => {
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
                 Err(ill_formed("a value without a literal of its own"))
             }
         }

@@ -1,8 +1,8 @@
 //! Conversions, explicit and implicit, by exact arithmetic.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ill_formed};
+use super::evaluator::ModelEvaluator;
+use super::{Evaluated, OpenQuestion, ill_formed};
 use std::sync::LazyLock;
 use stickler_exact::{
     ImplicitResult, Operation, Signature, choices_of, expected, implicit, implicit_result, value,
@@ -31,11 +31,10 @@ impl<'p> ModelEvaluator<'p> {
     /// design.
     pub fn converted(
         &mut self,
-        unit: Activation<'p>,
         signature: &Signature,
         cell: MemoryCell,
         from: ElementaryType,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         let operands = [cell.into_value(from)?];
         if !signature.takes(&operands) {
             return Err(ill_formed("an argument of another type than the signature has"));
@@ -43,7 +42,7 @@ impl<'p> ModelEvaluator<'p> {
         let given = expected(signature, &operands, self.program.dialect);
         if given.basis.is_none() {
             let [operand] = &operands;
-            self.open(OpenQuestion::Conversion, unit, || {
+            self.open(OpenQuestion::Conversion, || {
                 format!("{}({operand})", signature.function)
             });
         }
@@ -55,11 +54,10 @@ impl<'p> ModelEvaluator<'p> {
     /// Basis: ironplc-type-conversions: Implicit Type Widening; implicit-conversion-table; conformance-cases/README.md (a matrix of types).
     pub fn widened(
         &mut self,
-        unit: Activation<'p>,
         cell: MemoryCell,
         from: ElementaryType,
         to: ElementaryType,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         if from == to {
             return Ok(cell);
         }
@@ -75,9 +73,7 @@ impl<'p> ModelEvaluator<'p> {
         let is_documented = implicit_result(&operand, to) == Some(ImplicitResult::Exactly(result.clone()));
         let granted = implicit(from, to, self.program.dialect) != MatrixWord::Open;
         if !granted || !is_documented {
-            self.open(OpenQuestion::ImplicitConversion, unit, || {
-                format!("{operand} as {to}")
-            });
+            self.open(OpenQuestion::ImplicitConversion, || format!("{operand} as {to}"));
         }
         MemoryCell::of_value(result)
     }

@@ -2,8 +2,8 @@
 
 use super::cell::MemoryCell;
 use super::layout::{Layout, Offsets};
-use super::{Evaluation, EvaluationError, OpenPoint, OpenQuestion, ill_formed};
-use crate::model::{Program, Type, Variable};
+use super::{Evaluated, Evaluation, EvaluationError, OpenPoint, OpenQuestion, ill_formed};
+use crate::model::{Pou, Program, Type};
 use std::rc::Rc;
 use stickler_types::ElementaryType;
 
@@ -22,7 +22,7 @@ const MAX_DEPTH: u32 = 400;
 ///
 /// Basis: rule: integer-overflow-wraps; iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for
 /// conversions.
-pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationError> {
+pub fn evaluate(program: &Program, scans: u32) -> Evaluated<Evaluation> {
     let layout = Layout::new(program)?;
     let mut evaluator = ModelEvaluator {
         program,
@@ -32,19 +32,17 @@ pub fn evaluate(program: &Program, scans: u32) -> Result<Evaluation, EvaluationE
         opened: Vec::new(),
         steps: 0,
         depth: 0,
+        unit: Activation {
+            pou: &program.main,
+            offsets: &layout.main,
+            base: 0,
+        },
     };
-    let main = Activation {
-        name: "main",
-        variables: &program.main.variables,
-        offsets: &layout.main,
-        base: 0,
-        result: None,
-    };
-    evaluator.start(main)?;
+    evaluator.start()?;
     for _ in 0..scans {
-        evaluator.statements(main, &program.main.body)?;
+        evaluator.statements(&program.main.body)?;
     }
-    let values = evaluator.values(main)?;
+    let values = evaluator.values()?;
     Ok(Evaluation {
         values,
         opened: evaluator.opened,
@@ -63,18 +61,25 @@ pub(super) struct ModelEvaluator<'p> {
     pub opened: Vec<OpenPoint>,
     pub steps: u64,
     pub depth: u32,
+    /// The unit under execution.
+    pub unit: Activation<'p>,
 }
 
 /// One activation of a program organization unit: its variables and their place in memory.
 #[derive(Clone, Copy)]
 pub(super) struct Activation<'p> {
-    pub name: &'p str,
-    pub variables: &'p [Variable],
+    pub pou: &'p Pou,
     pub offsets: &'p Offsets,
-    /// The first cell of the unit.
+    /// The first cell of the unit; the result of a function follows its variables.
     pub base: usize,
-    /// The first cell and the type of the result of a function.
-    pub result: Option<(usize, &'p Type)>,
+}
+
+impl<'p> Activation<'p> {
+    /// Returns the first cell and the type of the result of a function.
+    pub fn result(self) -> Option<(usize, &'p Type)> {
+        let result = self.pou.result.as_ref();
+        result.map(|ty| (self.base + self.offsets.size, ty))
+    }
 }
 
 impl<'p> ModelEvaluator<'p> {
@@ -82,7 +87,7 @@ impl<'p> ModelEvaluator<'p> {
     ///
     /// # Errors
     /// [`EvaluationError::StepLimit`] beyond [`MAX_STEPS`].
-    pub fn step(&mut self) -> Result<(), EvaluationError> {
+    pub fn step(&mut self) -> Evaluated<()> {
         self.steps += 1;
         if self.steps > MAX_STEPS {
             return Err(EvaluationError::StepLimit);
@@ -91,10 +96,7 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Runs a step that may nest further; refuses beyond [`MAX_DEPTH`] levels.
-    pub fn deeper<T>(
-        &mut self,
-        inside: impl FnOnce(&mut Self) -> Result<T, EvaluationError>,
-    ) -> Result<T, EvaluationError> {
+    pub fn deeper<T>(&mut self, inside: impl FnOnce(&mut Self) -> Evaluated<T>) -> Evaluated<T> {
         if self.depth >= MAX_DEPTH {
             return Err(ill_formed("a program nested too deeply"));
         }
@@ -104,12 +106,32 @@ impl<'p> ModelEvaluator<'p> {
         result
     }
 
+    /// Runs a step in another unit than the one under execution.
+    pub fn within<T>(
+        &mut self,
+        unit: Activation<'p>,
+        inside: impl FnOnce(&mut Self) -> Evaluated<T>,
+    ) -> Evaluated<T> {
+        let outer = std::mem::replace(&mut self.unit, unit);
+        let result = inside(self);
+        self.unit = outer;
+        result
+    }
+
+    /// Returns an activation of a function block, whose variables begin at this cell.
+    pub fn instance(&self, block: usize, base: usize) -> Evaluated<Activation<'p>> {
+        let missing = ill_formed("an instance of an undeclared function block");
+        let pou = self.program.blocks.get(block).ok_or(missing)?;
+        let offsets = self.layout.blocks.get(block).ok_or(missing)?;
+        Ok(Activation { pou, offsets, base })
+    }
+
     /// Records a question that no document answers; each question is recorded once.
-    pub fn open(&mut self, question: OpenQuestion, unit: Activation<'_>, what: impl FnOnce() -> String) {
+    pub fn open(&mut self, question: OpenQuestion, what: impl FnOnce() -> String) {
         if self.opened.iter().all(|opened| opened.question != question) {
             self.opened.push(OpenPoint {
                 question,
-                at: format!("{}: {}", unit.name, what()),
+                at: format!("{}: {}", self.unit.pou.name, what()),
             });
         }
     }
@@ -120,7 +142,7 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Returns the elementary type that a type is or stands for.
-    pub fn elementary(&self, ty: &'p Type) -> Result<ElementaryType, EvaluationError> {
+    pub fn elementary(&self, ty: &'p Type) -> Evaluated<ElementaryType> {
         match self.resolved(ty) {
             Type::Elementary(elementary) => Ok(*elementary),
             _ => Err(ill_formed("an operation on something that is not elementary")),

@@ -2,28 +2,20 @@
 
 use super::arithmetic::Computed;
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
+use super::evaluator::ModelEvaluator;
 use super::statements::DIVISION_BY_ZERO;
-use super::{EvaluationError, OpenQuestion, arithmetic, ill_formed, ordering};
+use super::{Evaluated, EvaluationError, OpenQuestion, arithmetic, ill_formed, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
 use stickler_types::{ElementaryType, MomentUnits, Value};
 
 impl<'p> ModelEvaluator<'p> {
     /// Evaluates an expression that takes one cell.
-    pub fn expression(
-        &mut self,
-        unit: Activation<'p>,
-        expression: &'p Expression,
-    ) -> Result<MemoryCell, EvaluationError> {
+    pub fn expression(&mut self, expression: &'p Expression) -> Evaluated<MemoryCell> {
         self.step()?;
-        self.deeper(|evaluator| evaluator.of_expression_kind(unit, expression))
+        self.deeper(|evaluator| evaluator.of_expression_kind(expression))
     }
 
-    fn of_expression_kind(
-        &mut self,
-        unit: Activation<'p>,
-        expression: &'p Expression,
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn of_expression_kind(&mut self, expression: &'p Expression) -> Evaluated<MemoryCell> {
         match &expression.kind {
             ExpressionKind::Literal(value, _) => {
                 if let &Value::Plain { ty, raw } = value
@@ -31,106 +23,91 @@ impl<'p> ModelEvaluator<'p> {
                     && raw.cast_signed() < 0
                     && self.counts_moments()
                 {
-                    self.open(OpenQuestion::MomentRange, unit, || value.to_string());
+                    self.open(OpenQuestion::MomentRange, || value.to_string());
                 }
                 MemoryCell::of_value(value.clone())
             }
             ExpressionKind::Enumerated(place) => Ok(MemoryCell::Plain(*place as u64)),
             ExpressionKind::Read(place) => {
-                let address = self.locate(unit, place)?;
-                self.load(unit, address)
+                let address = self.locate(place)?;
+                self.load(address)
             }
-            ExpressionKind::Bit(place, bit) => self.bit(unit, place, *bit),
-            ExpressionKind::Unary(operator, operand) => self.unary(unit, *operator, operand),
-            ExpressionKind::Binary(operator, left, right) => self.binary(unit, *operator, left, right),
+            ExpressionKind::Bit(place, bit) => self.bit(place, *bit),
+            ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand),
+            ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right),
             ExpressionKind::Widen(operand) => {
                 let from = self.elementary(&operand.ty)?;
                 let to = self.elementary(&expression.ty)?;
-                let cell = self.expression(unit, operand)?;
-                self.widened(unit, cell, from, to)
+                let cell = self.expression(operand)?;
+                self.widened(cell, from, to)
             }
             ExpressionKind::Convert(signature, operand) => {
                 let from = self.elementary(&operand.ty)?;
-                let cell = self.expression(unit, operand)?;
-                self.converted(unit, signature, cell, from)
+                let cell = self.expression(operand)?;
+                self.converted(signature, cell, from)
             }
             ExpressionKind::Call(function, arguments) => {
-                let mut cells = self.call(unit, *function, arguments)?;
+                let mut cells = self.call(*function, arguments)?;
                 match (cells.pop(), cells.is_empty()) {
-                    (Some(cell), true) => self.settled(unit, cell),
+                    (Some(cell), true) => self.settled(cell),
                     _ => Err(ill_formed("a function whose result is no single value")),
                 }
             }
-            ExpressionKind::Standard(function, arguments) => self.standard(unit, *function, arguments),
+            ExpressionKind::Standard(function, arguments) => self.standard(*function, arguments),
             ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
         }
     }
 
     /// Evaluates an expression of any type to all its cells.
-    pub fn cells(
-        &mut self,
-        unit: Activation<'p>,
-        expression: &'p Expression,
-    ) -> Result<Vec<MemoryCell>, EvaluationError> {
+    pub fn cells(&mut self, expression: &'p Expression) -> Evaluated<Vec<MemoryCell>> {
         let size = self.layout.size(&expression.ty)?;
         match &expression.kind {
-            _ if size == 1 => Ok(vec![self.expression(unit, expression)?]),
+            _ if size == 1 => Ok(vec![self.expression(expression)?]),
             ExpressionKind::Read(place) => {
-                let address = self.locate(unit, place)?;
+                let address = self.locate(place)?;
                 let outside = ill_formed("a place outside the memory");
                 // A structure is copied unchanged: its unsettled parts stay unsettled until they are read.
                 Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
             }
-            ExpressionKind::Call(function, arguments) => self.call(unit, *function, arguments),
+            ExpressionKind::Call(function, arguments) => self.call(*function, arguments),
             ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
             _ => Err(ill_formed("an operation on a structure or array")),
         }
     }
 
     /// Returns the cell of a call result, and records its question if it is unsettled.
-    fn settled(&mut self, unit: Activation<'p>, cell: MemoryCell) -> Result<MemoryCell, EvaluationError> {
+    fn settled(&mut self, cell: MemoryCell) -> Evaluated<MemoryCell> {
         if let MemoryCell::Unsettled(raw, question) = cell {
-            self.open(question, unit, || "as the result of a call".to_owned());
+            self.open(question, || "as the result of a call".to_owned());
             return Ok(MemoryCell::Plain(raw));
         }
         Ok(cell)
     }
 
-    fn bit(
-        &mut self,
-        unit: Activation<'p>,
-        place: &'p Place,
-        bit: u32,
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn bit(&mut self, place: &'p Place, bit: u32) -> Evaluated<MemoryCell> {
         let ty = self.elementary(&place.ty)?;
-        let address = self.locate(unit, place)?;
-        match self.load(unit, address)? {
+        let address = self.locate(place)?;
+        match self.load(address)? {
             MemoryCell::Plain(raw) if bit < ty.bits() => Ok(MemoryCell::Plain(raw >> bit & 1)),
             _ => Err(ill_formed("a bit that the type does not have")),
         }
     }
 
-    fn unary(
-        &mut self,
-        unit: Activation<'p>,
-        operator: UnaryOperator,
-        operand: &'p Expression,
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn unary(&mut self, operator: UnaryOperator, operand: &'p Expression) -> Evaluated<MemoryCell> {
         let ty = self.elementary(&operand.ty)?;
-        let raw = self.plain(unit, operand)?;
+        let raw = self.plain(operand)?;
         let computed = arithmetic::unary(operator, ty, raw)
             .ok_or(ill_formed("a prefix operator on a type that does not have it"))?;
-        self.computed(unit, computed, || format!("{operator:?} of {ty}"))
+        self.computed(computed, || format!("{operator:?} of {ty}"))
     }
 
     fn binary(
         &mut self,
-        unit: Activation<'p>,
         operator: BinaryOperator,
         left: &'p Expression,
         right: &'p Expression,
-    ) -> Result<MemoryCell, EvaluationError> {
-        let (a, b) = (self.expression(unit, left)?, self.expression(unit, right)?);
+    ) -> Evaluated<MemoryCell> {
+        let (a, b) = (self.expression(left)?, self.expression(right)?);
         let ty = match self.resolved(&left.ty) {
             Type::Elementary(ty) => *ty,
             // Enumerated values are equal if their indices are.
@@ -140,7 +117,7 @@ impl<'p> ModelEvaluator<'p> {
             _ => return Err(ill_formed("an operator on a structure or array")),
         };
         if operator.is_comparison() {
-            return self.comparison(unit, operator, ty, &a, &b);
+            return self.comparison(operator, ty, &a, &b);
         }
         let (MemoryCell::Plain(a), MemoryCell::Plain(b)) = (a, b) else {
             return Err(ill_formed("arithmetic with a text"));
@@ -151,7 +128,7 @@ impl<'p> ModelEvaluator<'p> {
                     true => counted(ty, computed),
                     false => computed,
                 };
-                self.computed(unit, computed, || format!("{operator:?} of {ty}"))
+                self.computed(computed, || format!("{operator:?} of {ty}"))
             }
             arithmetic::Binary::DivisionByZero => Err(DIVISION_BY_ZERO),
             arithmetic::Binary::Undefined => Err(ill_formed("an operator on a type that does not have it")),
@@ -165,16 +142,15 @@ impl<'p> ModelEvaluator<'p> {
 
     fn comparison(
         &mut self,
-        unit: Activation<'p>,
         operator: BinaryOperator,
         ty: ElementaryType,
         a: &MemoryCell,
         b: &MemoryCell,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
         let Some(order) = ordering::compare(ty, a, b) else {
             // NaN is neither less, nor equal, nor greater (IEC 60559).
-            self.open(OpenQuestion::NotANumber, unit, || format!("{operator:?} of {ty}"));
+            self.open(OpenQuestion::NotANumber, || format!("{operator:?} of {ty}"));
             return Ok(MemoryCell::Plain(u64::from(operator == NotEqual)));
         };
         let holds = match operator {
@@ -192,12 +168,11 @@ impl<'p> ModelEvaluator<'p> {
     /// Returns the cell of a computed value, and records its question.
     pub fn computed(
         &mut self,
-        unit: Activation<'p>,
         computed: arithmetic::Computed,
         what: impl FnOnce() -> String,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         if let Some(question) = computed.question {
-            self.open(question, unit, what);
+            self.open(question, what);
         }
         Ok(MemoryCell::Plain(computed.raw))
     }

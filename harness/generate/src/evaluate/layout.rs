@@ -1,6 +1,6 @@
 //! The memory layout of a program: every elementary value has one cell, in the order of declaration.
 
-use super::{EvaluationError, ill_formed};
+use super::{Evaluated, EvaluationError, ill_formed};
 use crate::model::{ArrayType, DeclaredKind, Program, Type, Variable, VariableSection};
 
 /// The maximum number of cells of a variable.
@@ -8,8 +8,8 @@ const MAX_CELLS: usize = 1 << 20;
 
 /// The sizes and offsets of everything that a program declares.
 pub(super) struct Layout {
-    /// The layouts of the declared types.
-    types: Vec<TypeLayout>,
+    /// The offsets in each declared type.
+    types: Vec<Offsets>,
     /// The offsets in each function.
     pub functions: Vec<Offsets>,
     /// The offsets in each function block.
@@ -18,23 +18,17 @@ pub(super) struct Layout {
     pub main: Offsets,
 }
 
-struct TypeLayout {
-    size: usize,
-    /// The offsets of the fields of a structure.
-    fields: Vec<usize>,
-}
-
-/// The offsets of the variables of a program organization unit from its first cell.
+/// The offsets of the variables of a program organization unit, or of the fields of a structure, from its first cell.
 #[derive(Default)]
 pub(super) struct Offsets {
-    /// The offset of each variable.
+    /// The offset of each variable or field.
     pub variables: Vec<usize>,
-    /// The number of cells of all variables.
+    /// The number of cells of all of them.
     pub size: usize,
 }
 
 impl Layout {
-    pub fn new(program: &Program) -> Result<Layout, EvaluationError> {
+    pub fn new(program: &Program) -> Evaluated<Layout> {
         let mut layout = Layout {
             types: Vec::with_capacity(program.types.len()),
             functions: Vec::new(),
@@ -57,47 +51,28 @@ impl Layout {
         Ok(layout)
     }
 
-    fn declared(&self, kind: &DeclaredKind) -> Result<TypeLayout, EvaluationError> {
+    fn declared(&self, kind: &DeclaredKind) -> Evaluated<Offsets> {
+        let one = |size| Offsets {
+            variables: Vec::new(),
+            size,
+        };
         match kind {
-            DeclaredKind::Enumeration(_) => Ok(TypeLayout {
-                size: 1,
-                fields: Vec::new(),
-            }),
-            DeclaredKind::Alias(ty) => Ok(TypeLayout {
-                size: self.size(ty)?,
-                fields: Vec::new(),
-            }),
-            DeclaredKind::Structure(fields) => {
-                let mut size = 0;
-                let mut offsets = Vec::with_capacity(fields.len());
-                for (_, ty, _) in fields {
-                    offsets.push(size);
-                    size = limited(size + self.size(ty)?)?;
-                }
-                Ok(TypeLayout {
-                    size,
-                    fields: offsets,
-                })
-            }
+            DeclaredKind::Enumeration(_) => Ok(one(1)),
+            DeclaredKind::Alias(ty) => self.size(ty).map(one),
+            DeclaredKind::Structure(fields) => laid(fields.iter().map(|(_, ty, _)| self.size(ty))),
         }
     }
 
-    fn variables(&self, variables: &[Variable]) -> Result<Offsets, EvaluationError> {
-        let mut offsets = Offsets::default();
-        for variable in variables {
-            offsets.variables.push(offsets.size);
+    fn variables(&self, variables: &[Variable]) -> Evaluated<Offsets> {
+        laid(variables.iter().map(|variable| match variable.section {
             // An in-out has no value of its own, but a cell for the address of its variable.
-            let size = match variable.section {
-                VariableSection::InOut => 1,
-                _ => self.size(&variable.ty)?,
-            };
-            offsets.size = limited(offsets.size + size)?;
-        }
-        Ok(offsets)
+            VariableSection::InOut => Ok(1),
+            _ => self.size(&variable.ty),
+        }))
     }
 
     /// Returns the number of cells of a type.
-    pub fn size(&self, ty: &Type) -> Result<usize, EvaluationError> {
+    pub fn size(&self, ty: &Type) -> Evaluated<usize> {
         match ty {
             Type::Elementary(_) => Ok(1),
             Type::Array(array) => limited(elements(array)?.saturating_mul(self.size(&array.element)?)),
@@ -116,19 +91,29 @@ impl Layout {
 
     /// Returns the offset of a field from the first cell of its structure.
     pub fn field(&self, structure: usize, field: usize) -> Option<usize> {
-        self.types.get(structure)?.fields.get(field).copied()
+        self.types.get(structure)?.variables.get(field).copied()
     }
 }
 
+/// Returns the offsets of parts of these sizes, one behind the other.
+fn laid(sizes: impl Iterator<Item = Evaluated<usize>>) -> Evaluated<Offsets> {
+    let mut offsets = Offsets::default();
+    for size in sizes {
+        offsets.variables.push(offsets.size);
+        offsets.size = limited(offsets.size + size?)?;
+    }
+    Ok(offsets)
+}
+
 /// Returns the number of elements of an array.
-pub(super) fn elements(array: &ArrayType) -> Result<usize, EvaluationError> {
+pub(super) fn elements(array: &ArrayType) -> Evaluated<usize> {
     array.dimensions.iter().try_fold(1_usize, |product, dimension| {
         limited(product.saturating_mul(extent(*dimension)?))
     })
 }
 
 /// Returns the number of subscripts of a dimension.
-pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> {
+pub(super) fn extent((low, high): (i64, i64)) -> Evaluated<usize> {
     let extent = i128::from(high) - i128::from(low) + 1;
     if extent < 1 {
         return Err(ill_formed("an array without elements"));
@@ -136,7 +121,7 @@ pub(super) fn extent((low, high): (i64, i64)) -> Result<usize, EvaluationError> 
     limited(usize::try_from(extent).unwrap_or(usize::MAX))
 }
 
-fn limited(size: usize) -> Result<usize, EvaluationError> {
+fn limited(size: usize) -> Evaluated<usize> {
     if size > MAX_CELLS {
         Err(EvaluationError::StepLimit)
     } else {

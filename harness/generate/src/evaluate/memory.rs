@@ -1,21 +1,18 @@
 //! The places of a program in memory, and the values at the end.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
+use super::evaluator::ModelEvaluator;
 use super::layout::extent;
-use super::{EvaluationError, ill_formed};
+use super::{Evaluated, EvaluationError, ill_formed};
 use crate::model::{Place, PlaceSelector, Type, Unit, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
 impl<'p> ModelEvaluator<'p> {
     /// Returns the first cell of a variable; for an in-out, that of the variable of the caller.
-    pub fn variable(
-        &self,
-        unit: Activation<'p>,
-        id: VariableId,
-    ) -> Result<(usize, &'p Type), EvaluationError> {
+    pub fn variable(&self, id: VariableId) -> Evaluated<(usize, &'p Type)> {
+        let unit = self.unit;
         let unknown = ill_formed("a variable that its unit does not have");
-        let variable = unit.variables.get(id.0).ok_or(unknown)?;
+        let variable = unit.pou.variables.get(id.0).ok_or(unknown)?;
         let own = unit.base + unit.offsets.variables.get(id.0).ok_or(unknown)?;
         if variable.section != VariableSection::InOut {
             return Ok((own, &variable.ty));
@@ -29,11 +26,11 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Evaluates the subscripts of a place and returns its first cell.
-    pub fn locate(&mut self, unit: Activation<'p>, place: &'p Place) -> Result<usize, EvaluationError> {
-        let (mut address, ty) = self.variable(unit, place.variable)?;
+    pub fn locate(&mut self, place: &'p Place) -> Evaluated<usize> {
+        let (mut address, ty) = self.variable(place.variable)?;
         let mut ty = self.resolved(ty);
         for selector in &place.path {
-            let (offset, selected) = self.select(unit, ty, selector)?;
+            let (offset, selected) = self.select(ty, selector)?;
             address += offset;
             ty = self.resolved(selected);
         }
@@ -41,12 +38,7 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Resolves one selector: returns the offset and the type of the selected part.
-    fn select(
-        &mut self,
-        unit: Activation<'p>,
-        ty: &'p Type,
-        selector: &'p PlaceSelector,
-    ) -> Result<(usize, &'p Type), EvaluationError> {
+    fn select(&mut self, ty: &'p Type, selector: &'p PlaceSelector) -> Evaluated<(usize, &'p Type)> {
         let nothing = ill_formed("a selection of something that its type does not have");
         match (selector, ty) {
             (PlaceSelector::Index(subscripts), Type::Array(array))
@@ -54,7 +46,7 @@ impl<'p> ModelEvaluator<'p> {
             {
                 let mut element = 0;
                 for (subscript, &(low, high)) in subscripts.iter().zip(&array.dimensions) {
-                    let at = self.integer(unit, subscript)?;
+                    let at = self.integer(subscript)?;
                     if !(i128::from(low)..=i128::from(high)).contains(&at) {
                         return Err(EvaluationError::Fault(Fault::SubscriptRange));
                     }
@@ -79,20 +71,28 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Reads a cell, and records its question if it is unsettled.
-    pub fn load(&mut self, unit: Activation<'p>, address: usize) -> Result<MemoryCell, EvaluationError> {
+    pub fn load(&mut self, address: usize) -> Evaluated<MemoryCell> {
         let cell = self
             .memory
             .get(address)
             .ok_or(ill_formed("a place outside the memory"))?;
         if let MemoryCell::Unsettled(raw, question) = *cell {
-            self.open(question, unit, || "it is read".to_owned());
+            self.open(question, || "it is read".to_owned());
             return Ok(MemoryCell::Plain(raw));
         }
         Ok(cell.clone())
     }
 
+    /// Writes cells from an address on.
+    pub fn write(&mut self, address: usize, cells: &[MemoryCell]) -> Evaluated<()> {
+        let into = self.memory.get_mut(address..address + cells.len());
+        into.ok_or(ill_formed("a place outside the memory"))?
+            .clone_from_slice(cells);
+        Ok(())
+    }
+
     /// Writes a cell.
-    pub fn store(&mut self, address: usize, cell: MemoryCell) -> Result<(), EvaluationError> {
+    pub fn store(&mut self, address: usize, cell: MemoryCell) -> Evaluated<()> {
         let into = self
             .memory
             .get_mut(address)
@@ -102,24 +102,20 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Returns the values of [`Program::observed`](crate::model::Program::observed), in its order.
-    pub fn values(&mut self, main: Activation<'p>) -> Result<Vec<(String, Value)>, EvaluationError> {
+    pub fn values(&mut self) -> Evaluated<Vec<(String, Value)>> {
+        let main = self.unit;
         let mut addresses = Vec::with_capacity(main.offsets.size);
-        for (variable, &offset) in main.variables.iter().zip(&main.offsets.variables) {
+        for (variable, &offset) in main.pou.variables.iter().zip(&main.offsets.variables) {
             self.observed(&variable.ty, main.base + offset, &mut addresses)?;
         }
         let values = self.program.observed().into_iter().zip(addresses);
         values
-            .map(|((path, ty), address)| Ok((path, self.load(main, address)?.into_value(ty)?)))
+            .map(|((path, ty), address)| Ok((path, self.load(address)?.into_value(ty)?)))
             .collect()
     }
 
     /// Collects the addresses of the elementary values in a variable; of an instance those of its outputs.
-    fn observed(
-        &self,
-        ty: &'p Type,
-        address: usize,
-        addresses: &mut Vec<usize>,
-    ) -> Result<(), EvaluationError> {
+    fn observed(&self, ty: &'p Type, address: usize, addresses: &mut Vec<usize>) -> Evaluated<()> {
         match self.resolved(ty) {
             Type::Elementary(_) => addresses.push(address),
             Type::Array(array) => {

@@ -12,9 +12,8 @@ use stickler_types::ElementaryType;
 pub(super) fn compare(ty: ElementaryType, a: &MemoryCell, b: &MemoryCell) -> Option<Ordering> {
     match (a, b) {
         (MemoryCell::Text(a), MemoryCell::Text(b)) => Some(a.cmp(b)),
-        (MemoryCell::Plain(a), MemoryCell::Plain(b)) => match ty {
-            ElementaryType::Real => f32::from_bits(*a as u32).partial_cmp(&f32::from_bits(*b as u32)),
-            ElementaryType::Lreal => f64::from_bits(*a).partial_cmp(&f64::from_bits(*b)),
+        (MemoryCell::Plain(a), MemoryCell::Plain(b)) => match (ty.real_value(*a), ty.real_value(*b)) {
+            (Some(a), Some(b)) => a.partial_cmp(&b),
             _ => Some(ty.integer_value(*a).cmp(&ty.integer_value(*b))),
         },
         _ => None,

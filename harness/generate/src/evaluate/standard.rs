@@ -1,11 +1,12 @@
 //! Standard functions other than conversions.
 //!
-//! Basis: iec-61131-3: Tables 28 to 32 and 34; the table standard-functions of the cases.
+//! Basis: iec-61131-3: Tables 28 to 32 and 34; the tables standard-functions and functions-of-texts of the cases. IEC 60559 rounds a square root
+//! once.
 
 use super::arithmetic::{self, Computed};
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ill_formed, ordering};
+use super::evaluator::ModelEvaluator;
+use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed, ordering};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
@@ -19,53 +20,69 @@ impl<'p> ModelEvaluator<'p> {
     /// Computes a standard function; all arguments are evaluated, in their order.
     pub fn standard(
         &mut self,
-        unit: Activation<'p>,
         function: StandardFunction,
         arguments: &'p [Expression],
-    ) -> Result<MemoryCell, EvaluationError> {
-        use StandardFunction::{Abs, Concat, Len, Limit, Max, Min, Mux, Rol, Ror, Sel, Shl, Shr};
+    ) -> Evaluated<MemoryCell> {
+        use StandardFunction::{
+            Abs, Concat, Find, Left, Len, Limit, Max, Min, Mux, Right, Rol, Ror, Sel, Shl, Shr, SquareRoot,
+        };
         let mut cells = Vec::with_capacity(arguments.len());
         for argument in arguments {
-            cells.push(self.expression(unit, argument)?);
+            cells.push(self.expression(argument)?);
         }
         let keeps = self.program.dialect.rules().keeps_not_finite;
         let is_finite = |(cell, argument): (&MemoryCell, &'p Expression)| {
             let (MemoryCell::Plain(raw), Ok(ty)) = (cell, self.elementary(&argument.ty)) else {
                 return true;
             };
-            match ty {
-                ElementaryType::Real => f32::from_bits(*raw as u32).is_finite(),
-                _ => ty != ElementaryType::Lreal || f64::from_bits(*raw).is_finite(),
-            }
+            ty.real_value(*raw).is_none_or(f64::is_finite)
         };
         if keeps && matches!(function, Abs | Limit) && !cells.iter().zip(arguments).all(is_finite) {
-            self.open(OpenQuestion::NotANumber, unit, || {
+            self.open(OpenQuestion::NotANumber, || {
                 "ABS or LIMIT of an infinity".to_owned()
             });
         }
         match (function, &cells[..], arguments) {
-            (Abs, [cell], [argument]) => self.absolute(unit, argument, cell),
+            (Abs, [cell], [argument]) => self.absolute(argument, cell),
             (Sel, [MemoryCell::Plain(gate), first, second], _) => {
                 Ok(if *gate == 0 { first } else { second }.clone())
             }
             (Mux, [MemoryCell::Plain(selector), inputs @ ..], [argument, ..]) => {
                 let selector = self.elementary(&argument.ty)?.integer_value(*selector);
-                self.selected(unit, selector, inputs)
+                self.selected(selector, inputs)
             }
-            (Min, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Less),
-            (Max, [a, b], [argument, _]) => self.lesser(unit, argument, a, b, Ordering::Greater),
-            (Limit, [low, value, high], [argument, ..]) => self.limited(unit, argument, low, value, high),
+            (Min, [a, b], [argument, _]) => self.lesser(argument, a, b, Ordering::Less),
+            (Max, [a, b], [argument, _]) => self.lesser(argument, a, b, Ordering::Greater),
+            (Limit, [low, value, high], [argument, ..]) => self.limited(argument, low, value, high),
             (Shl | Shr | Rol | Ror, [MemoryCell::Plain(raw), MemoryCell::Plain(count)], [operand, by]) => {
                 let count = self.elementary(&by.ty)?.integer_value(*count);
                 let ty = self.elementary(&operand.ty)?;
                 let computed = shifted(function, ty, *raw, count).ok_or(ARGUMENTS)?;
-                self.computed(unit, computed, || format!("{function:?} of {ty} by {count}"))
+                self.computed(computed, || format!("{function:?} of {ty} by {count}"))
             }
             (Len, [MemoryCell::Text(units)], _) => Ok(MemoryCell::Plain(units.len() as u64)),
+            (Find, [MemoryCell::Text(units), MemoryCell::Text(sought)], _) if !sought.is_empty() => {
+                let mut places = units.windows(sought.len());
+                let at = places.position(|place| place == &sought[..]);
+                Ok(MemoryCell::Plain(at.map_or(0, |at| at as u64 + 1)))
+            }
+            (Left | Right, [MemoryCell::Text(units), MemoryCell::Plain(count)], _) => {
+                let kept = usize::try_from(*count).map_or(units.len(), |count| count.min(units.len()));
+                let (left, right) = (&units[..kept], &units[units.len() - kept..]);
+                Ok(MemoryCell::Text(
+                    if function == Left { left } else { right }.into(),
+                ))
+            }
+            (SquareRoot, [MemoryCell::Plain(raw)], [argument]) => {
+                Ok(MemoryCell::Plain(match self.elementary(&argument.ty)? {
+                    ElementaryType::Real => f32::from_bits(*raw as u32).sqrt().to_bits().into(),
+                    _ => f64::from_bits(*raw).sqrt().to_bits(),
+                }))
+            }
             (Concat, [MemoryCell::Text(a), MemoryCell::Text(b)], _) => {
                 let joined = [&a[..], &b[..]].concat();
                 if joined.len() > SHORTEST_DEFAULT_LENGTH {
-                    self.open(OpenQuestion::TextLength, unit, || {
+                    self.open(OpenQuestion::TextLength, || {
                         format!("CONCAT gives {} characters", joined.len())
                     });
                 }
@@ -75,12 +92,7 @@ impl<'p> ModelEvaluator<'p> {
         }
     }
 
-    fn absolute(
-        &mut self,
-        unit: Activation<'p>,
-        argument: &'p Expression,
-        cell: &MemoryCell,
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn absolute(&mut self, argument: &'p Expression, cell: &MemoryCell) -> Evaluated<MemoryCell> {
         let ty = self.elementary(&argument.ty)?;
         let MemoryCell::Plain(raw) = *cell else {
             return Err(ARGUMENTS);
@@ -95,19 +107,14 @@ impl<'p> ModelEvaluator<'p> {
             Family::Signed => arithmetic::unary(UnaryOperator::Negate, ty, raw).ok_or(ARGUMENTS)?,
             _ => return Err(ARGUMENTS),
         };
-        self.computed(unit, computed, String::new)
+        self.computed(computed, String::new)
     }
 
     /// Returns the input of MUX that the selector chooses, counted from 0.
-    fn selected(
-        &mut self,
-        unit: Activation<'p>,
-        selector: i128,
-        inputs: &[MemoryCell],
-    ) -> Result<MemoryCell, EvaluationError> {
+    fn selected(&mut self, selector: i128, inputs: &[MemoryCell]) -> Evaluated<MemoryCell> {
         let chosen = usize::try_from(selector).ok().and_then(|index| inputs.get(index));
         if chosen.is_none() {
-            self.open(OpenQuestion::MuxSelector, unit, || {
+            self.open(OpenQuestion::MuxSelector, || {
                 format!("{selector} of {}", inputs.len())
             });
         }
@@ -117,18 +124,15 @@ impl<'p> ModelEvaluator<'p> {
     /// Computes MIN if the first operand is wanted to be `Less`, MAX if it is wanted to be `Greater`.
     fn lesser(
         &mut self,
-        unit: Activation<'p>,
         argument: &'p Expression,
         a: &MemoryCell,
         b: &MemoryCell,
         wanted: Ordering,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         let ty = self.comparable(argument)?;
         let order = ordering::compare(ty, a, b);
         if order.is_none() || (order == Some(Ordering::Equal) && a != b) {
-            self.open(OpenQuestion::ZerosOfTwoSigns, unit, || {
-                format!("MIN or MAX of {ty}")
-            });
+            self.open(OpenQuestion::ZerosOfTwoSigns, || format!("MIN or MAX of {ty}"));
         }
         Ok(if order == Some(wanted) { a } else { b }.clone())
     }
@@ -136,22 +140,21 @@ impl<'p> ModelEvaluator<'p> {
     /// Computes LIMIT as the standard defines it: MIN(MAX(low, value), high).
     fn limited(
         &mut self,
-        unit: Activation<'p>,
         argument: &'p Expression,
         low: &MemoryCell,
         value: &MemoryCell,
         high: &MemoryCell,
-    ) -> Result<MemoryCell, EvaluationError> {
+    ) -> Evaluated<MemoryCell> {
         let ty = self.comparable(argument)?;
         if ordering::compare(ty, low, high).is_some_and(Ordering::is_gt) {
-            self.open(OpenQuestion::LimitsCrossed, unit, || format!("LIMIT of {ty}"));
+            self.open(OpenQuestion::LimitsCrossed, || format!("LIMIT of {ty}"));
         }
-        let above = self.lesser(unit, argument, low, value, Ordering::Greater)?;
-        self.lesser(unit, argument, &above, high, Ordering::Less)
+        let above = self.lesser(argument, low, value, Ordering::Greater)?;
+        self.lesser(argument, &above, high, Ordering::Less)
     }
 
     /// Returns the type by which values compare.
-    fn comparable(&self, argument: &'p Expression) -> Result<ElementaryType, EvaluationError> {
+    fn comparable(&self, argument: &'p Expression) -> Evaluated<ElementaryType> {
         match self.resolved(&argument.ty) {
             Type::Elementary(ty) => Ok(*ty),
             _ => Err(ARGUMENTS),

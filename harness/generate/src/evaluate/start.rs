@@ -1,38 +1,34 @@
 //! Initial values: of types, of variables, and of the instances of function blocks.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ill_formed};
+use super::evaluator::ModelEvaluator;
+use super::{Evaluated, OpenQuestion, ill_formed};
 use crate::model::{InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
 impl<'p> ModelEvaluator<'p> {
-    /// Gives the variables of a unit their initial values, in cells that are appended to the memory at the base of the unit.
-    pub fn start(&mut self, unit: Activation<'p>) -> Result<(), EvaluationError> {
+    /// Gives the variables of the unit their initial values, in cells that are appended to the memory at its base.
+    pub fn start(&mut self) -> Evaluated<()> {
+        let unit = self.unit;
         let end = unit.base + unit.offsets.size;
         if self.memory.len() < end {
             self.memory.resize(end, MemoryCell::Plain(0));
         }
-        for (index, variable) in unit.variables.iter().enumerate() {
+        for (index, variable) in unit.pou.variables.iter().enumerate() {
             // Each call sets the address of an in-out.
             if variable.section != VariableSection::InOut {
                 let offset = unit.offsets.variables.get(index).copied().unwrap_or_default();
-                self.start_variable(unit, variable, unit.base + offset)?;
+                self.start_variable(variable, unit.base + offset)?;
             }
         }
         Ok(())
     }
 
-    fn start_variable(
-        &mut self,
-        unit: Activation<'p>,
-        variable: &'p Variable,
-        at: usize,
-    ) -> Result<(), EvaluationError> {
-        self.default(unit, &variable.ty, at)?;
+    fn start_variable(&mut self, variable: &'p Variable, at: usize) -> Evaluated<()> {
+        self.default(&variable.ty, at)?;
         match &variable.initial {
             None => Ok(()),
-            Some(InitialValue::Expression(value)) => self.assign(unit, at, &variable.ty, value),
+            Some(InitialValue::Expression(value)) => self.assign(at, &variable.ty, value),
             Some(InitialValue::Array(values)) => {
                 let Type::Array(array) = self.resolved(&variable.ty) else {
                     return Err(ill_formed("elements of a variable that is not an array"));
@@ -42,7 +38,7 @@ impl<'p> ModelEvaluator<'p> {
                     return Err(ill_formed("more initial values than the array has elements"));
                 }
                 for (element, value) in values.iter().enumerate() {
-                    self.assign(unit, at + element * size, &array.element, value)?;
+                    self.assign(at + element * size, &array.element, value)?;
                 }
                 Ok(())
             }
@@ -56,7 +52,7 @@ impl<'p> ModelEvaluator<'p> {
                 for (field, value) in fields {
                     let offset = self.layout.field(*structure, *field).ok_or(none)?;
                     let (_, ty, _) = declared.get(*field).ok_or(none)?;
-                    self.assign(unit, at + offset, ty, value)?;
+                    self.assign(at + offset, ty, value)?;
                 }
                 Ok(())
             }
@@ -64,13 +60,13 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Writes the initial value of a type.
-    pub fn default(&mut self, unit: Activation<'p>, ty: &'p Type, at: usize) -> Result<(), EvaluationError> {
+    pub fn default(&mut self, ty: &'p Type, at: usize) -> Evaluated<()> {
         match self.resolved(ty) {
             Type::Elementary(ty) => self.store(at, zero(*ty)),
             Type::Array(array) => {
                 let size = self.layout.size(&array.element)?;
                 for element in 0..super::layout::elements(array)? {
-                    self.default(unit, &array.element, at + element * size)?;
+                    self.default(&array.element, at + element * size)?;
                 }
                 Ok(())
             }
@@ -78,9 +74,9 @@ impl<'p> ModelEvaluator<'p> {
                 Some(fields) => {
                     for (field, (_, ty, initial)) in fields.iter().enumerate() {
                         let offset = self.layout.field(*index, field).unwrap_or_default();
-                        self.default(unit, ty, at + offset)?;
+                        self.default(ty, at + offset)?;
                         if let Some(value) = initial {
-                            self.assign(unit, at + offset, ty, value)?;
+                            self.assign(at + offset, ty, value)?;
                         }
                     }
                     Ok(())
@@ -89,16 +85,8 @@ impl<'p> ModelEvaluator<'p> {
                 None => self.store(at, MemoryCell::Plain(0)),
             },
             Type::Block(index) => {
-                let missing = ill_formed("an instance of an undeclared function block");
-                let block = self.program.blocks.get(*index).ok_or(missing)?;
-                let instance = Activation {
-                    name: &block.name,
-                    variables: &block.variables,
-                    offsets: self.layout.blocks.get(*index).ok_or(missing)?,
-                    base: at,
-                    result: None,
-                };
-                self.deeper(|evaluator| evaluator.start(instance))
+                let instance = self.instance(*index, at)?;
+                self.deeper(|evaluator| evaluator.within(instance, Self::start))
             }
         }
     }

@@ -1,8 +1,8 @@
 //! Execution of statements by the evaluator.
 
 use super::cell::MemoryCell;
-use super::evaluator::{Activation, ModelEvaluator};
-use super::{EvaluationError, OpenQuestion, ill_formed};
+use super::evaluator::ModelEvaluator;
+use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
     AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, ForLoop, Place, Statement, Type,
 };
@@ -21,13 +21,9 @@ pub(super) enum Flow {
 
 impl<'p> ModelEvaluator<'p> {
     /// Executes statements in their order.
-    pub fn statements(
-        &mut self,
-        unit: Activation<'p>,
-        statements: &'p [Statement],
-    ) -> Result<Flow, EvaluationError> {
+    pub fn statements(&mut self, statements: &'p [Statement]) -> Evaluated<Flow> {
         for statement in statements {
-            let flow = self.statement(unit, statement)?;
+            let flow = self.statement(statement)?;
             if flow != Flow::Next {
                 return Ok(flow);
             }
@@ -35,35 +31,35 @@ impl<'p> ModelEvaluator<'p> {
         Ok(Flow::Next)
     }
 
-    fn statement(&mut self, unit: Activation<'p>, statement: &'p Statement) -> Result<Flow, EvaluationError> {
+    fn statement(&mut self, statement: &'p Statement) -> Evaluated<Flow> {
         self.step()?;
-        self.deeper(|evaluator| evaluator.of_kind(unit, statement))
+        self.deeper(|evaluator| evaluator.of_kind(statement))
     }
 
-    fn of_kind(&mut self, unit: Activation<'p>, kind: &'p Statement) -> Result<Flow, EvaluationError> {
+    fn of_kind(&mut self, kind: &'p Statement) -> Evaluated<Flow> {
         match kind {
-            Statement::Assign(target, value) => self.assignment(unit, target, value),
+            Statement::Assign(target, value) => self.assignment(target, value),
             Statement::If(branches, otherwise) => {
                 for (condition, body) in branches {
-                    if self.condition(unit, condition)? {
-                        return self.statements(unit, body);
+                    if self.condition(condition)? {
+                        return self.statements(body);
                     }
                 }
-                self.statements(unit, otherwise.as_deref().unwrap_or_default())
+                self.statements(otherwise.as_deref().unwrap_or_default())
             }
             Statement::Case(selector, branches, otherwise) => {
-                let selector = self.selector(unit, selector)?;
+                let selector = self.selector(selector)?;
                 for branch in branches {
-                    if self.is_chosen(unit, branch, selector)? {
-                        return self.statements(unit, &branch.body);
+                    if self.is_chosen(branch, selector)? {
+                        return self.statements(&branch.body);
                     }
                 }
-                self.statements(unit, otherwise.as_deref().unwrap_or_default())
+                self.statements(otherwise.as_deref().unwrap_or_default())
             }
-            Statement::For(parts) => self.counted(unit, parts),
+            Statement::For(parts) => self.counted(parts),
             Statement::While(condition, body) => {
-                while self.condition(unit, condition)? {
-                    match self.turn(unit, body)? {
+                while self.condition(condition)? {
+                    match self.turn(body)? {
                         Flow::Next => {}
                         Flow::Exit => break,
                         Flow::Return => return Ok(Flow::Return),
@@ -72,12 +68,12 @@ impl<'p> ModelEvaluator<'p> {
                 Ok(Flow::Next)
             }
             Statement::Repeat(body, until) => loop {
-                match self.turn(unit, body)? {
+                match self.turn(body)? {
                     Flow::Next => {}
                     Flow::Exit => break Ok(Flow::Next),
                     Flow::Return => break Ok(Flow::Return),
                 }
-                if self.condition(unit, until)? {
+                if self.condition(until)? {
                     break Ok(Flow::Next);
                 }
             },
@@ -86,7 +82,7 @@ impl<'p> ModelEvaluator<'p> {
                 inputs,
                 outputs,
             } => {
-                self.invoke(unit, *instance, inputs, outputs)?;
+                self.invoke(*instance, inputs, outputs)?;
                 Ok(Flow::Next)
             }
             Statement::Exit => Ok(Flow::Exit),
@@ -96,74 +92,53 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Executes one iteration of a loop; an empty body counts as a step.
-    fn turn(&mut self, unit: Activation<'p>, body: &'p [Statement]) -> Result<Flow, EvaluationError> {
+    fn turn(&mut self, body: &'p [Statement]) -> Evaluated<Flow> {
         self.step()?;
-        self.statements(unit, body)
+        self.statements(body)
     }
 
-    fn condition(
-        &mut self,
-        unit: Activation<'p>,
-        condition: &'p Expression,
-    ) -> Result<bool, EvaluationError> {
-        Ok(self.plain(unit, condition)? != 0)
+    fn condition(&mut self, condition: &'p Expression) -> Evaluated<bool> {
+        Ok(self.plain(condition)? != 0)
     }
 
-    fn assignment(
-        &mut self,
-        unit: Activation<'p>,
-        target: &'p AssignmentTarget,
-        value: &'p Expression,
-    ) -> Result<Flow, EvaluationError> {
+    fn assignment(&mut self, target: &'p AssignmentTarget, value: &'p Expression) -> Evaluated<Flow> {
         match target {
             AssignmentTarget::Place(place) => {
-                let address = self.locate(unit, place)?;
-                self.assign(unit, address, &place.ty, value)?;
+                let address = self.locate(place)?;
+                self.assign(address, &place.ty, value)?;
             }
             AssignmentTarget::Bit(place, bit) => {
-                let set = self.condition(unit, value)?;
-                self.set_bit(unit, place, *bit, set)?;
+                let set = self.condition(value)?;
+                self.set_bit(place, *bit, set)?;
             }
             AssignmentTarget::Result => {
-                let (address, ty) = unit.result.ok_or(ill_formed("a result outside a function"))?;
-                self.assign(unit, address, ty, value)?;
+                let (address, ty) = self
+                    .unit
+                    .result()
+                    .ok_or(ill_formed("a result outside a function"))?;
+                self.assign(address, ty, value)?;
             }
         }
         Ok(Flow::Next)
     }
 
     /// Evaluates an expression into the cells from an address on.
-    pub fn assign(
-        &mut self,
-        unit: Activation<'p>,
-        address: usize,
-        ty: &'p Type,
-        value: &'p Expression,
-    ) -> Result<(), EvaluationError> {
+    pub fn assign(&mut self, address: usize, ty: &'p Type, value: &'p Expression) -> Evaluated<()> {
         if self.layout.size(ty)? == 1 {
-            let cell = self.expression(unit, value)?;
+            let cell = self.expression(value)?;
             return self.store(address, cell);
         }
-        let cells = self.cells(unit, value)?;
-        let into = self.memory.get_mut(address..address + cells.len());
-        into.ok_or(ill_formed("a place outside the memory"))?
-            .clone_from_slice(&cells);
-        Ok(())
+        let cells = self.cells(value)?;
+        self.write(address, &cells)
     }
 
     /// Writes one bit of an integer or bit string, and leaves the others unchanged.
     ///
     /// Basis: ironplc-bit-access: Syntax (0 is the least significant bit).
-    fn set_bit(
-        &mut self,
-        unit: Activation<'p>,
-        place: &'p Place,
-        bit: u32,
-        set: bool,
-    ) -> Result<(), EvaluationError> {
+    fn set_bit(&mut self, place: &'p Place, bit: u32, set: bool) -> Evaluated<()> {
         let ty = self.elementary(&place.ty)?;
-        let address = self.locate(unit, place)?;
-        let MemoryCell::Plain(raw) = self.load(unit, address)? else {
+        let address = self.locate(place)?;
+        let MemoryCell::Plain(raw) = self.load(address)? else {
             return Err(ill_formed("a bit of a text"));
         };
         if bit >= ty.bits() {
@@ -174,25 +149,20 @@ impl<'p> ModelEvaluator<'p> {
     }
 
     /// Evaluates the selector of a CASE: an integer, or the index of an enumerated value.
-    fn selector(&mut self, unit: Activation<'p>, selector: &'p Expression) -> Result<i128, EvaluationError> {
-        let raw = self.plain(unit, selector)?;
+    fn selector(&mut self, selector: &'p Expression) -> Evaluated<i128> {
+        let raw = self.plain(selector)?;
         Ok(match self.resolved(&selector.ty) {
             Type::Elementary(ty) => ty.integer_value(raw),
             _ => i128::from(raw),
         })
     }
 
-    fn is_chosen(
-        &mut self,
-        unit: Activation<'p>,
-        branch: &'p CaseBranch,
-        selector: i128,
-    ) -> Result<bool, EvaluationError> {
+    fn is_chosen(&mut self, branch: &'p CaseBranch, selector: i128) -> Evaluated<bool> {
         for label in &branch.labels {
             let chosen = match label {
-                CaseLabel::One(value) => self.selector(unit, value)? == selector,
+                CaseLabel::One(value) => self.selector(value)? == selector,
                 CaseLabel::Range(low, high) => {
-                    (self.selector(unit, low)?..=self.selector(unit, high)?).contains(&selector)
+                    (self.selector(low)?..=self.selector(high)?).contains(&selector)
                 }
             };
             if chosen {
@@ -206,13 +176,13 @@ impl<'p> ModelEvaluator<'p> {
     /// value the variable holds then; after EXIT and RETURN it holds the value of that iteration.
     ///
     /// Basis: iec-61131-3: 7.3.3.4.2.
-    fn counted(&mut self, unit: Activation<'p>, parts: &'p ForLoop) -> Result<Flow, EvaluationError> {
-        let (address, ty) = self.variable(unit, parts.variable)?;
+    fn counted(&mut self, parts: &'p ForLoop) -> Evaluated<Flow> {
+        let (address, ty) = self.variable(parts.variable)?;
         let ty = self.elementary(ty)?;
-        let mut value = self.integer(unit, &parts.from)?;
-        let to = self.integer(unit, &parts.to)?;
+        let mut value = self.integer(&parts.from)?;
+        let to = self.integer(&parts.to)?;
         let by = match &parts.by {
-            Some(by) => self.integer(unit, by)?,
+            Some(by) => self.integer(by)?,
             None => 1,
         };
         if by == 0 {
@@ -220,19 +190,19 @@ impl<'p> ModelEvaluator<'p> {
         }
         while if by > 0 { value <= to } else { value >= to } {
             if !holds(ty, value) {
-                self.open(OpenQuestion::LoopVariable, unit, || {
+                self.open(OpenQuestion::LoopVariable, || {
                     format!("{value} does not fit {ty}")
                 });
                 break;
             }
             let raw = ty.wrap(value);
             self.store(address, MemoryCell::Plain(raw))?;
-            match self.turn(unit, &parts.body)? {
+            match self.turn(&parts.body)? {
                 Flow::Next => {}
                 Flow::Exit => return Ok(Flow::Next),
                 Flow::Return => return Ok(Flow::Return),
             }
-            self.check_unchanged(unit, parts, address, raw, to)?;
+            self.check_unchanged(parts, address, raw, to)?;
             value += by;
         }
         self.store(
@@ -244,41 +214,24 @@ impl<'p> ModelEvaluator<'p> {
 
     /// Raises a question if an iteration has changed the variable of its loop or the value of its limit, because systems
     /// differ in whether they read them again.
-    fn check_unchanged(
-        &mut self,
-        unit: Activation<'p>,
-        parts: &'p ForLoop,
-        address: usize,
-        raw: u64,
-        to: i128,
-    ) -> Result<(), EvaluationError> {
+    fn check_unchanged(&mut self, parts: &'p ForLoop, address: usize, raw: u64, to: i128) -> Evaluated<()> {
         let changed = self.memory.get(address) != Some(&MemoryCell::Plain(raw))
-            || (!is_literal(&parts.to) && self.integer(unit, &parts.to)? != to);
+            || (!is_literal(&parts.to) && self.integer(&parts.to)? != to);
         if changed {
-            self.open(OpenQuestion::LoopChanged, unit, || {
-                "in the body of the loop".to_owned()
-            });
+            self.open(OpenQuestion::LoopChanged, || "in the body of the loop".to_owned());
         }
         Ok(())
     }
 
     /// Evaluates an integer expression.
-    pub fn integer(
-        &mut self,
-        unit: Activation<'p>,
-        expression: &'p Expression,
-    ) -> Result<i128, EvaluationError> {
+    pub fn integer(&mut self, expression: &'p Expression) -> Evaluated<i128> {
         let ty = self.elementary(&expression.ty)?;
-        Ok(ty.integer_value(self.plain(unit, expression)?))
+        Ok(ty.integer_value(self.plain(expression)?))
     }
 
     /// Evaluates an expression that is no text to its raw form.
-    pub fn plain(
-        &mut self,
-        unit: Activation<'p>,
-        expression: &'p Expression,
-    ) -> Result<u64, EvaluationError> {
-        match self.expression(unit, expression)? {
+    pub fn plain(&mut self, expression: &'p Expression) -> Evaluated<u64> {
+        match self.expression(expression)? {
             MemoryCell::Plain(raw) => Ok(raw),
             _ => Err(ill_formed("a text where a number stands")),
         }

@@ -149,9 +149,9 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
     let raw = set(ExpressionKind::Raw("?".to_owned()));
     assert_eq!(evaluate(&with(raw), 1), Err(EvaluationError::Raw));
     let mut recursive = with(set(call(0)));
-    recursive.functions.push(Function {
+    recursive.functions.push(Pou {
         name: "f".to_owned(),
-        result: Type::Elementary(Int),
+        result: Some(Type::Elementary(Int)),
         variables: Vec::new(),
         body: vec![Statement::Assign(
             AssignmentTarget::Result,

@@ -2,7 +2,7 @@
 
 use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::DialectProfile;
-use super::scope::{PouRole, PouScope};
+use super::scope::PouScope;
 use super::settings::GeneratorSettings;
 use crate::model::{Program, VariableId};
 use crate::random::Random;
@@ -46,6 +46,8 @@ pub(super) struct ProgramBuilder<'r, 'u> {
     pub block_costs: Vec<u32>,
     /// The POU under construction.
     pub pou: PouScope,
+    /// Whether the POU is the main program.
+    pub is_main: bool,
     /// The number of statements that the POU may still get.
     pub statements_left: usize,
     /// The number of nodes that the statement may still get.
@@ -85,7 +87,8 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
             program: Program::empty(dialect),
             function_costs: Vec::new(),
             block_costs: Vec::new(),
-            pou: PouScope::new(PouRole::Main),
+            pou: PouScope::default(),
+            is_main: false,
             statements_left: 0,
             nodes_left: 0,
             text_bound: VariableId(0),
@@ -133,7 +136,8 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
     fn main(&mut self) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
         let most = [3, 6, 12, 24, 60][self.random.below(5)];
-        self.begin(PouRole::Main, most);
+        self.begin(most);
+        self.is_main = true;
         self.main_variables();
         let mut body = self.body(most);
         self.add_checksums(&mut body);

@@ -2,12 +2,11 @@
 
 use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
-use super::literals;
 use super::profile::{ConversionOffer, ResultCoverage};
 use super::type_context::TypeContext;
 use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
 use stickler_exact::{Operation, Signature, expected};
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {
     /// Generates a conversion whose result documents settle; with
@@ -105,12 +104,9 @@ impl ProgramBuilder<'_, '_> {
             (false, bits @ ..=16) => (0.0, power(bits) - 1.0),
             (false, bits) => (0.0, power(bits - 1)),
         };
-        let limit = |number| Expression::literal(from, literals::real(from, number), LiteralForm::Typed);
+        let limit = |number| Expression::literal(from, Value::of_real(from, number), LiteralForm::Typed);
         let arguments = vec![limit(low), operand, limit(high)];
-        Some(Expression::elementary(
-            from,
-            ExpressionKind::Standard(StandardFunction::Limit, arguments),
-        ))
+        Some(Expression::standard(StandardFunction::Limit, arguments, from))
     }
 
     /// Generates the text of a number.
@@ -140,7 +136,9 @@ impl ProgramBuilder<'_, '_> {
     pub fn call(&mut self, ty: &Type, depth: usize) -> Option<Expression> {
         let functions = self.program.functions.iter().enumerate();
         let suits: Vec<usize> = functions
-            .filter(|&(place, function)| function.result == *ty && self.affords(self.function_costs[place]))
+            .filter(|&(place, function)| {
+                function.result.as_ref() == Some(ty) && self.affords(self.function_costs[place])
+            })
             .map(|(place, _)| place)
             .collect();
         let &called = self.random.pick(&suits)?;

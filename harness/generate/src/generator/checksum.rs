@@ -22,8 +22,8 @@ use super::literals;
 use super::places::{assign, integer, whole};
 use super::scope::PathStep;
 use crate::model::{
-    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
-    PlaceSelector, StandardFunction, Statement, Type, VariableId, subscripts,
+    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, Place, PlaceSelector,
+    StandardFunction, Statement, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -108,9 +108,8 @@ impl ProgramBuilder<'_, '_> {
             .any(|selector| matches!(selector, PlaceSelector::Index(_)));
         let mut statements = Vec::new();
         if ty.is_text() {
-            let length =
-                ExpressionKind::Standard(StandardFunction::Len, vec![Expression::read(place.clone())]);
-            let length = Expression::elementary(ElementaryType::Int, length);
+            let text = vec![Expression::read(place.clone())];
+            let length = Expression::standard(StandardFunction::Len, text, ElementaryType::Int);
             statements.extend(
                 self.as_number(length, ElementaryType::Int, checksum.ty)
                     .map(|number| self.mix(checksum, number)),
@@ -120,21 +119,14 @@ impl ProgramBuilder<'_, '_> {
                 return statements;
             }
         }
-        let literal = self.telling_value(ty);
-        let literal = Expression::literal(
-            ty,
-            literal,
-            if ty.is_text() || self.lacks_typed(ty) {
-                LiteralForm::Untyped
-            } else {
-                LiteralForm::Typed
-            },
-        );
-        let ordered = !matches!(ty.family(), Family::Text | Family::Character | Family::Boolean);
-        let operator = if ordered {
-            BinaryOperator::Less
-        } else {
-            BinaryOperator::Equal
+        let form = match ty.is_text() || self.lacks_typed(ty) {
+            true => LiteralForm::Untyped,
+            false => LiteralForm::Typed,
+        };
+        let literal = Expression::literal(ty, self.telling_value(ty), form);
+        let operator = match ty.family() {
+            Family::Text | Family::Character | Family::Boolean => BinaryOperator::Equal,
+            _ => BinaryOperator::Less,
         };
         let condition = if ty == ElementaryType::Bool {
             Expression::read(place)
@@ -172,10 +164,7 @@ impl ProgramBuilder<'_, '_> {
             && self.profile.sources(sum).contains(&ty)
             && !self.lacks(&format!("{ty} to {sum}"))
         {
-            return Some(Expression::elementary(
-                sum,
-                ExpressionKind::Widen(Box::new(value)),
-            ));
+            return Some(Expression::widened(Type::Elementary(sum), value));
         }
         let settled = self.profile.settled(ty, sum)?;
         let lacks = self.lacks("conversion") || self.lacks(&settled.function);
@@ -189,10 +178,7 @@ impl ProgramBuilder<'_, '_> {
         }
         let count = self.program.enumerated_values(ty)?.len();
         let branches = (0..count).map(|value| CaseBranch {
-            labels: vec![CaseLabel::One(Expression {
-                ty: ty.clone(),
-                kind: ExpressionKind::Enumerated(value),
-            })],
+            labels: vec![CaseLabel::One(Expression::enumerated(ty, value))],
             body: vec![self.mix(checksum, number(checksum.ty, value as i64))],
         });
         let branches = branches.collect();
@@ -202,15 +188,11 @@ impl ProgramBuilder<'_, '_> {
     /// Generates `sum := sum * 0.5 + value;`.
     fn mixed_real(&self, sum: Checksum, value: Expression, ty: ElementaryType) -> Option<Statement> {
         let value = self.as_number(value, ty, sum.ty)?;
-        let half = match sum.ty {
-            ElementaryType::Real => u64::from(0.5_f32.to_bits()),
-            _ => 0.5_f64.to_bits(),
-        };
         let form = match self.lacks_typed(sum.ty) {
             true => LiteralForm::Untyped,
             false => LiteralForm::Typed,
         };
-        let half = Expression::literal(sum.ty, Value::plain(sum.ty, half), form);
+        let half = Expression::literal(sum.ty, Value::of_real(sum.ty, 0.5), form);
         Some(self.combined(sum, half, value))
     }
 

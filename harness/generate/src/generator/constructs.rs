@@ -67,58 +67,30 @@ pub(super) enum Construct {
     Nested,
 }
 
-impl Construct {
-    /// The constructs that a program may have to do without.
-    const ALL: [Construct; 20] = [
-        Construct::Conversions,
-        Construct::Initials,
-        Construct::Constants,
-        Construct::Arrays,
-        Construct::Structures,
-        Construct::Enumerations,
-        Construct::Aliases,
-        Construct::Functions,
-        Construct::Blocks,
-        Construct::Arithmetic,
-        Construct::Division,
-        Construct::Logic,
-        Construct::Bits,
-        Construct::If,
-        Construct::Case,
-        Construct::For,
-        Construct::While,
-        Construct::Repeat,
-        Construct::Exit,
-        Construct::Return,
-    ];
-
-    /// Returns the features of the language that are forms of the construct, or that each of its forms needs.
-    const fn forms(self) -> &'static [&'static str] {
-        match self {
-            Construct::Conversions => &["conversion"],
-            Construct::Initials => &["initial-value"],
-            Construct::Constants => &["constant"],
-            Construct::Arrays => &["array"],
-            Construct::Structures => &["structure"],
-            Construct::Enumerations => &["enumeration"],
-            Construct::Aliases => &["type-alias", "array-type"],
-            Construct::Functions => &["function"],
-            Construct::Blocks => &["function-block"],
-            Construct::Arithmetic => &["add", "subtract", "multiply"],
-            Construct::Division => &["divide", "mod"],
-            Construct::Logic => &["and", "or", "xor"],
-            Construct::Bits => &["bit-access"],
-            Construct::If => &["if"],
-            Construct::Case => &["case"],
-            Construct::For => &["for"],
-            Construct::While => &["while"],
-            Construct::Repeat => &["repeat"],
-            Construct::Exit => &["exit"],
-            Construct::Return => &["return"],
-            _ => &[],
-        }
-    }
-}
+/// The constructs that a program may have to do without, with the features of the language that are forms of each, or that each of
+/// its forms needs.
+const FORMS: &[(Construct, &[&str])] = &[
+    (Construct::Conversions, &["conversion"]),
+    (Construct::Initials, &["initial-value"]),
+    (Construct::Constants, &["constant"]),
+    (Construct::Arrays, &["array"]),
+    (Construct::Structures, &["structure"]),
+    (Construct::Enumerations, &["enumeration"]),
+    (Construct::Aliases, &["type-alias", "array-type"]),
+    (Construct::Functions, &["function"]),
+    (Construct::Blocks, &["function-block"]),
+    (Construct::Arithmetic, &["add", "subtract", "multiply"]),
+    (Construct::Division, &["divide", "mod"]),
+    (Construct::Logic, &["and", "or", "xor"]),
+    (Construct::Bits, &["bit-access"]),
+    (Construct::If, &["if"]),
+    (Construct::Case, &["case"]),
+    (Construct::For, &["for"]),
+    (Construct::While, &["while"]),
+    (Construct::Repeat, &["repeat"]),
+    (Construct::Exit, &["exit"]),
+    (Construct::Return, &["return"]),
+];
 
 /// The set of constructs of one program.
 #[derive(Clone, Copy, Debug)]
@@ -153,12 +125,10 @@ impl ConstructSet {
 
     /// Returns the set without the constructs of which every form is lacking.
     pub fn without(self, lacks: &dyn Fn(&str) -> bool) -> ConstructSet {
-        let is_lacking = |feature: &Construct| {
-            let forms = feature.forms();
-            !forms.is_empty() && forms.iter().all(|form| lacks(form))
-        };
-        let lacking = Construct::ALL.iter().filter(|feature| is_lacking(feature));
-        ConstructSet(lacking.fold(self.0, |bits, feature| bits & !(1 << *feature as u32)))
+        let lacking = FORMS
+            .iter()
+            .filter(|(_, forms)| forms.iter().all(|form| lacks(form)));
+        ConstructSet(lacking.fold(self.0, |bits, (construct, _)| bits & !(1 << *construct as u32)))
     }
 
     /// Returns whether the set contains a construct.

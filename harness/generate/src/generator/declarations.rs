@@ -2,11 +2,11 @@
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::scope::PouRole;
+use super::scope::PouScope;
 use super::type_context::TypeContext;
 use crate::model::{
-    ArrayType, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Type, TypeDeclaration,
-    Variable, VariableId, VariableSection, subscripts,
+    ArrayType, DeclaredKind, Expression, InitialValue, LiteralForm, Type, TypeDeclaration, Variable,
+    VariableId, VariableSection, subscripts,
 };
 use stickler_types::{ElementaryType, Family};
 
@@ -215,10 +215,10 @@ impl ProgramBuilder<'_, '_> {
                 _ => None,
             },
             ty => match self.program.enumerated_values(&ty).map(<[String]>::len) {
-                Some(count) => Some(InitialValue::Expression(Expression {
-                    kind: ExpressionKind::Enumerated(self.random.below(count)),
-                    ty,
-                })),
+                Some(count) => {
+                    let value = self.random.below(count);
+                    Some(InitialValue::Expression(Expression::enumerated(&ty, value)))
+                }
                 None => self.initial_structure(&ty),
             },
         }
@@ -249,7 +249,7 @@ impl ProgramBuilder<'_, '_> {
             let from = self.random.pick(sources).copied().unwrap_or(ty);
             let value = self.drawn(from);
             let literal = Expression::literal(from, value, LiteralForm::Typed);
-            return Expression::elementary(ty, ExpressionKind::Widen(Box::new(literal)));
+            return Expression::widened(Type::Elementary(ty), literal);
         }
         self.initial_literal(ty)
     }
@@ -259,8 +259,8 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Starts a POU that may get `statements` statements.
-    pub fn begin(&mut self, kind: PouRole, statements: usize) {
-        self.pou = super::scope::PouScope::new(kind);
+    pub fn begin(&mut self, statements: usize) {
+        self.pou = PouScope::default();
         self.statements_left = statements;
     }
 }

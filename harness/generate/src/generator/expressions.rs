@@ -4,7 +4,7 @@ use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::literals;
 use super::type_context::TypeContext;
-use crate::model::{Expression, ExpressionKind, LiteralForm, Type};
+use crate::model::{Expression, LiteralForm, Type};
 use stickler_types::{ElementaryType, Family, Value};
 
 /// The forms of an expression that the generator chooses from.
@@ -29,24 +29,6 @@ pub(super) enum ExpressionForm {
     Call,
 }
 
-/// Forms with their weights.
-#[derive(Default)]
-struct WeightedForms {
-    kinds: [Option<ExpressionForm>; 16],
-    weights: [u16; 16],
-    length: usize,
-}
-
-impl WeightedForms {
-    fn offer(&mut self, kind: ExpressionForm, weight: u16, offered: bool) {
-        if offered && self.length < self.kinds.len() {
-            self.kinds[self.length] = Some(kind);
-            self.weights[self.length] = weight;
-            self.length += 1;
-        }
-    }
-}
-
 impl ProgramBuilder<'_, '_> {
     /// Generates an expression of an elementary type, at most `depth` levels deep.
     pub fn value(&mut self, ty: ElementaryType, context: TypeContext, depth: usize) -> Expression {
@@ -55,15 +37,15 @@ impl ProgramBuilder<'_, '_> {
         }
         self.nodes_left -= 1;
         let forms = self.forms(ty, context);
-        let chosen = self.random.weighted(&forms.weights[..forms.length]);
-        let kind = forms.kinds[chosen].unwrap_or(ExpressionForm::Leaf);
+        let kind = forms[self.random.weighted(&forms.map(|(_, weight)| weight))].0;
         let made = self.of_kind(kind, ty, context, depth - 1);
         made.unwrap_or_else(|| self.leaf(ty, context))
     }
 
-    /// Returns the forms that the program may use for a value of a type.
-    fn forms(&self, ty: ElementaryType, context: TypeContext) -> WeightedForms {
+    /// Returns the forms of a value of a type with their weights; 0 for those that the program may not use.
+    fn forms(&self, ty: ElementaryType, context: TypeContext) -> [(ExpressionForm, u16); 17] {
         use Construct as F;
+        use ExpressionForm as E;
         let family = ty.family();
         let is_number = matches!(family, Family::Signed | Family::Unsigned | Family::Real);
         let is_boolean = family == Family::Boolean;
@@ -73,48 +55,31 @@ impl ProgramBuilder<'_, '_> {
             && (is_stored || self.profile.keeps_bit_strings(ty));
         let is_of_two = context == TypeContext::Operand && !self.profile.mixes_operands();
         let widens = context != TypeContext::Exact && !is_of_two && !self.profile.sources(ty).is_empty();
-        let mut forms = WeightedForms::default();
-        forms.offer(ExpressionForm::Leaf, 4, true);
         let adds = is_number || (ty == ElementaryType::Time || ty == ElementaryType::Ltime);
-        forms.offer(
-            ExpressionForm::Arithmetic,
-            6,
-            adds && wraps && self.has(F::Arithmetic),
-        );
-        forms.offer(ExpressionForm::Division, 3, is_number && self.has(F::Division));
         let negates = is_number && wraps && self.profile.negates(ty);
-        forms.offer(ExpressionForm::Negation, 1, negates && self.has(F::Arithmetic));
-        forms.offer(ExpressionForm::Logic, 6, is_logical && self.has(F::Logic));
-        forms.offer(ExpressionForm::Not, 2, is_logical && wraps && self.has(F::Logic));
-        forms.offer(
-            ExpressionForm::Comparison,
-            5,
-            is_boolean && self.has(F::Comparisons),
-        );
         let bits = is_boolean && self.has(F::Bits) && self.profile.has_bits(self.open);
-        forms.offer(ExpressionForm::Bit, 5, bits);
-        forms.offer(ExpressionForm::Widened, 5, widens && self.has(F::Widening));
-        forms.offer(ExpressionForm::Conversion, 5, self.has(F::Conversions));
-        forms.offer(ExpressionForm::Selection, 2, self.has(F::Selection));
-        forms.offer(ExpressionForm::Extremum, 2, is_number && self.has(F::Selection));
-        forms.offer(ExpressionForm::Absolute, 1, is_number && self.has(F::Selection));
-        forms.offer(
-            ExpressionForm::Shift,
-            4,
-            family == Family::BitString && wraps && self.has(F::Shifts),
-        );
-        forms.offer(
-            ExpressionForm::Length,
-            2,
-            ty == ElementaryType::Int && self.has(F::Selection),
-        );
-        forms.offer(
-            ExpressionForm::Concatenation,
-            5,
-            family == Family::Text && self.has(F::Selection),
-        );
-        forms.offer(ExpressionForm::Call, 4, !self.program.functions.is_empty());
-        forms
+        let selects = self.has(F::Selection);
+        let shifts = family == Family::BitString && wraps && self.has(F::Shifts);
+        let weight = |offered: bool, weight: u16| if offered { weight } else { 0 };
+        [
+            (E::Leaf, 4),
+            (E::Arithmetic, weight(adds && wraps && self.has(F::Arithmetic), 6)),
+            (E::Division, weight(is_number && self.has(F::Division), 3)),
+            (E::Negation, weight(negates && self.has(F::Arithmetic), 1)),
+            (E::Logic, weight(is_logical && self.has(F::Logic), 6)),
+            (E::Not, weight(is_logical && wraps && self.has(F::Logic), 2)),
+            (E::Comparison, weight(is_boolean && self.has(F::Comparisons), 5)),
+            (E::Bit, weight(bits, 5)),
+            (E::Widened, weight(widens && self.has(F::Widening), 5)),
+            (E::Conversion, weight(self.has(F::Conversions), 5)),
+            (E::Selection, weight(selects, 2)),
+            (E::Extremum, weight(is_number && selects, 2)),
+            (E::Absolute, weight(is_number && selects, 1)),
+            (E::Shift, weight(shifts, 4)),
+            (E::Length, weight(ty == ElementaryType::Int && selects, 2)),
+            (E::Concatenation, weight(family == Family::Text && selects, 5)),
+            (E::Call, weight(!self.program.functions.is_empty(), 4)),
+        ]
     }
 
     fn of_kind(
@@ -217,10 +182,7 @@ impl ProgramBuilder<'_, '_> {
     pub fn widened(&mut self, ty: ElementaryType, context: TypeContext, depth: usize) -> Option<Expression> {
         let from = self.source(ty, context)?;
         let operand = self.value(from, TypeContext::Exact, depth);
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Widen(Box::new(operand)),
-        ))
+        Some(Expression::widened(Type::Elementary(ty), operand))
     }
 
     /// Picks a type that converts implicitly to `ty`, preferably one that variables have.

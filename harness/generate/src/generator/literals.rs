@@ -134,18 +134,9 @@ fn reals(ty: ElementaryType) -> Vec<Value> {
         2_147_483_520.0,
         0.001,
     ];
-    let mut values = NUMBERS.map(|number| real(ty, number)).to_vec();
+    let mut values = NUMBERS.map(|number| Value::of_real(ty, number)).to_vec();
     values.extend(tiny(ty).iter().map(|&raw| Value::plain(ty, raw)));
     values
-}
-
-/// Returns a number as a value of REAL, to which it is rounded, or of LREAL.
-pub(super) fn real(ty: ElementaryType, number: f64) -> Value {
-    let raw = match ty {
-        ElementaryType::Real => u64::from((number as f32).to_bits()),
-        _ => number.to_bits(),
-    };
-    Value::plain(ty, raw)
 }
 
 /// Lists the least and the greatest subnormal number, the least normal one, numbers whose products are subnormal, and for

@@ -5,8 +5,7 @@ use super::places::{assign, integer, whole};
 use super::scope::{PathStep, VisiblePlace};
 use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, ForLoop, LiteralForm, StandardFunction, Statement, Type,
-    VariableId,
+    BinaryOperator, Expression, ForLoop, LiteralForm, StandardFunction, Statement, Type, VariableId,
 };
 use stickler_types::ElementaryType;
 
@@ -38,17 +37,8 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates FOR, followed by an assignment to its variable, because no document states which value it holds then.
     pub fn for_loop(&mut self, depth: usize, made: &mut Vec<Statement>) {
-        let integers: Vec<ElementaryType> = self
-            .palette
-            .iter()
-            .copied()
-            .filter(|ty| ty.is_integer())
-            .collect();
-        let ty = self
-            .random
-            .pick(&integers)
-            .copied()
-            .unwrap_or(ElementaryType::Int);
+        let ty = self.random.pick_where(&self.palette, |ty| ty.is_integer());
+        let ty = ty.copied().unwrap_or(ElementaryType::Int);
         let LoopRange { from, to, by } = self.range(ty);
         let bounds = self.bounds(ty, from, to, by);
         let variable = self.reserved(ty);
@@ -134,8 +124,7 @@ impl ProgramBuilder<'_, '_> {
         {
             let limit = |number| integer(ty, number, LiteralForm::Typed);
             let arguments = vec![limit(low), whole(variable, ty), limit(high)];
-            bounds.to =
-                Expression::elementary(ty, ExpressionKind::Standard(StandardFunction::Limit, arguments));
+            bounds.to = Expression::standard(StandardFunction::Limit, arguments, ty);
             bounds.locked = Some(variable);
         }
         bounds
@@ -158,13 +147,12 @@ impl ProgramBuilder<'_, '_> {
         let condition = self.condition();
         let (counter, turns) = self.counter();
         let ty = ElementaryType::Int;
-        let fewer = Expression::binary(
-            BinaryOperator::Less,
-            whole(counter, ty),
-            integer(ty, turns, LiteralForm::Untyped),
-            ElementaryType::Bool,
+        let condition = limited(
+            [BinaryOperator::And, BinaryOperator::Less],
+            condition,
+            counter,
+            turns,
         );
-        let condition = Expression::binary(BinaryOperator::And, condition, fewer, ElementaryType::Bool);
         let mut body = vec![counted(counter)];
         body.extend(self.looped(depth, turns as u32));
         made.push(self.reset(counter, ty));
@@ -180,13 +168,8 @@ impl ProgramBuilder<'_, '_> {
         body.extend(self.looped(depth, turns as u32));
         self.begin_statement();
         let condition = self.condition();
-        let enough = Expression::binary(
-            BinaryOperator::GreaterOrEqual,
-            whole(counter, ty),
-            integer(ty, turns, LiteralForm::Untyped),
-            ElementaryType::Bool,
-        );
-        let condition = Expression::binary(BinaryOperator::Or, condition, enough, ElementaryType::Bool);
+        let until = [BinaryOperator::Or, BinaryOperator::GreaterOrEqual];
+        let condition = limited(until, condition, counter, turns);
         made.push(self.reset(counter, ty));
         made.push(Statement::Repeat(body, condition));
         self.pou.idle.push((counter, ty));
@@ -217,15 +200,30 @@ struct LoopBounds {
     locked: Option<VariableId>,
 }
 
+/// Joins a condition, by the first operator, to the comparison of a counter with a number by the second.
+fn limited(
+    operators: [BinaryOperator; 2],
+    condition: Expression,
+    counter: VariableId,
+    turns: i64,
+) -> Expression {
+    let [joins, compares] = operators;
+    let limit = integer(ElementaryType::Int, turns, LiteralForm::Untyped);
+    let compared = Expression::binary(
+        compares,
+        whole(counter, ElementaryType::Int),
+        limit,
+        ElementaryType::Bool,
+    );
+    Expression::binary(joins, condition, compared, ElementaryType::Bool)
+}
+
 /// Generates `counter := counter + 1;`.
 fn counted(counter: VariableId) -> Statement {
     let ty = ElementaryType::Int;
     let one = integer(ty, 1, LiteralForm::Untyped);
-    assign(
-        counter,
-        ty,
-        Expression::binary(BinaryOperator::Add, whole(counter, ty), one, ty),
-    )
+    let next = Expression::binary(BinaryOperator::Add, whole(counter, ty), one, ty);
+    assign(counter, ty, next)
 }
 
 /// Returns the limits of an integer type, as far as 64 signed bits hold them.

@@ -81,7 +81,7 @@ impl ProgramBuilder<'_, '_> {
             && let Some(operand) = self.read(&Type::Elementary(ty), true)
         {
             let one = Expression::literal(ty, one(ty), LiteralForm::Typed);
-            return Expression::elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
+            return Expression::standard(Function::Max, vec![operand, one], ty);
         }
         let value = literals::value(ty, &mut self.random);
         let value = if divides(&value) { value } else { one(ty) };
@@ -92,10 +92,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates a minus before a value that contains a variable.
     pub fn negation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let operand = self.varying(ty, depth)?;
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Unary(UnaryOperator::Negate, Box::new(operand)),
-        ))
+        Some(Expression::unary(UnaryOperator::Negate, operand))
     }
 
     /// Generates AND, OR or XOR.
@@ -110,7 +107,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates NOT.
     pub fn complement(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let operand = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(ty, ExpressionKind::Unary(UnaryOperator::Not, Box::new(operand)))
+        Expression::unary(UnaryOperator::Not, operand)
     }
 
     /// Generates a comparison of two operands of any type of the program.
@@ -187,10 +184,7 @@ impl ProgramBuilder<'_, '_> {
             return read;
         }
         let count = self.program.enumerated_values(ty).map_or(0, <[String]>::len);
-        Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Enumerated(self.random.below(count)),
-        }
+        Expression::enumerated(ty, self.random.below(count))
     }
 
     /// Generates a bit of a readable integer or bit string.
@@ -224,14 +218,7 @@ pub(super) fn has_bits(seen: &VisiblePlace) -> bool {
 }
 
 fn one(ty: ElementaryType) -> Value {
-    Value::plain(
-        ty,
-        match ty {
-            ElementaryType::Real => u64::from(1.0_f32.to_bits()),
-            ElementaryType::Lreal => 1.0_f64.to_bits(),
-            _ => 1,
-        },
-    )
+    Value::plain(ty, if ty.is_real() { ty.real_bits(1.0) } else { 1 })
 }
 
 /// Returns whether a value is safe as a divisor: a real neither zero nor tiny, an integer neither 0 nor -1 (which overflows
@@ -240,18 +227,9 @@ fn divides(value: &Value) -> bool {
     let &Value::Plain { ty, raw } = value else {
         return false;
     };
-    match real(ty, raw) {
+    match ty.real_value(raw) {
         // A quotient by a tiny number soon overflows.
         Some(number) => number.abs() >= 0.001,
         None => !(-1..=0).contains(&ty.integer_value(raw)),
-    }
-}
-
-/// Decodes a REAL or LREAL; `None` for any other type.
-pub(super) fn real(ty: ElementaryType, raw: u64) -> Option<f64> {
-    match ty {
-        ElementaryType::Real => Some(f32::from_bits(raw as u32).into()),
-        ElementaryType::Lreal => Some(f64::from_bits(raw)),
-        _ => None,
     }
 }

@@ -3,8 +3,8 @@
 use super::builder::ProgramBuilder;
 use super::scope::{PathStep, VisiblePlace, contains_text};
 use crate::model::{
-    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, StandardFunction,
-    Statement, Type, VariableId,
+    AssignmentTarget, Expression, LiteralForm, Place, PlaceSelector, StandardFunction, Statement, Type,
+    VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -88,10 +88,7 @@ impl ProgramBuilder<'_, '_> {
         let variable = self.plain_variable(ty)?;
         let typed = |number| integer(ty, number, LiteralForm::Typed);
         let arguments = vec![typed(low), whole(variable, ty), typed(high)];
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Standard(StandardFunction::Limit, arguments),
-        ))
+        Some(Expression::standard(StandardFunction::Limit, arguments, ty))
     }
 
     /// Picks a whole variable of a type whose value no compiler knows.

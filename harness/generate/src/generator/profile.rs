@@ -254,7 +254,7 @@ fn weighted_types(types: &[ElementaryType]) -> Vec<ElementaryType> {
 fn settled(signature: &Signature, from: ElementaryType, dialect: DialectName) -> ResultCoverage {
     let mut values = literals::boundaries(from).to_vec();
     if from.is_real() {
-        values.push(literals::real(from, 1e30));
+        values.push(Value::of_real(from, 1e30));
     }
     let said = |value| {
         expected(signature, std::slice::from_ref(value), dialect)

@@ -2,8 +2,8 @@
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::scope::{PouRole, contains_text};
-use crate::model::{AssignmentTarget, Function, FunctionBlock, Statement, Type, VariableSection};
+use super::scope::contains_text;
+use crate::model::{AssignmentTarget, Pou, Statement, Type, VariableSection};
 use stickler_types::ElementaryType;
 
 /// The maximum number of statements of a function or function block, besides those that end it.
@@ -24,7 +24,7 @@ impl ProgramBuilder<'_, '_> {
                 ty => ty,
             };
             let most = 1 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouRole::Function(result.clone()), most);
+            self.begin(most);
             for _ in 0..=self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
@@ -37,9 +37,9 @@ impl ProgramBuilder<'_, '_> {
             let mut body = self.body(most);
             body.extend(self.result(&result));
             self.function_costs.push(self.pou.cost);
-            self.program.functions.push(Function {
+            self.program.functions.push(Pou {
                 name: format!("Fun{number}"),
-                result,
+                result: Some(result),
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });
@@ -61,7 +61,7 @@ impl ProgramBuilder<'_, '_> {
         }
         for number in 0..=self.random.below(2) {
             let most = 2 + self.random.below(MAX_STATEMENTS);
-            self.begin(PouRole::Block, most);
+            self.begin(most);
             for _ in 0..self.random.below(3) {
                 let ty = self.small_type();
                 let initial = self.initial(&ty);
@@ -84,8 +84,9 @@ impl ProgramBuilder<'_, '_> {
             }
             let body = self.body(most);
             self.block_costs.push(self.pou.cost);
-            self.program.blocks.push(FunctionBlock {
+            self.program.blocks.push(Pou {
                 name: format!("Block{number}"),
+                result: None,
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });

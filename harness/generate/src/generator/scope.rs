@@ -2,25 +2,13 @@
 
 use super::literals;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, InitialValue, Program, Type, Variable, VariableId,
-    VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Program, Type, Unit, Variable, VariableId, VariableSection,
+    visit,
 };
 use stickler_types::{ElementaryType, Value};
 
-/// The kind of a POU.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) enum PouRole {
-    /// A function with this result type.
-    Function(Type),
-    /// A function block.
-    Block,
-    /// The main program.
-    Main,
-}
-
 /// The POU under construction.
 pub(super) struct PouScope {
-    pub kind: PouRole,
     pub variables: Vec<Variable>,
     /// Every readable variable, element and part.
     pub places: Vec<VisiblePlace>,
@@ -68,10 +56,9 @@ pub(super) enum PathStep {
     Output(VariableId),
 }
 
-impl PouScope {
-    pub fn new(kind: PouRole) -> PouScope {
+impl Default for PouScope {
+    fn default() -> PouScope {
         PouScope {
-            kind,
             variables: Vec::new(),
             places: Vec::new(),
             held: Vec::new(),
@@ -83,7 +70,9 @@ impl PouScope {
             cost: 0,
         }
     }
+}
 
+impl PouScope {
     /// Declares a variable that statements may use; of an instance of a function block only the outputs are visible.
     pub fn declare(&mut self, variable: Variable, program: &Program) -> VariableId {
         let id = VariableId(self.variables.len());
@@ -92,16 +81,14 @@ impl PouScope {
             VariableSection::Local | VariableSection::Output | VariableSection::InOut
         );
         let constant = variable.section == VariableSection::Constant;
-        self.see(
-            VisiblePlace {
-                variable: id,
-                path: Vec::new(),
-                ty: variable.ty.clone(),
-                writable,
-                constant,
-            },
-            program,
-        );
+        let seen = VisiblePlace {
+            variable: id,
+            path: Vec::new(),
+            ty: variable.ty.clone(),
+            writable,
+            constant,
+        };
+        self.see(seen, program);
         self.hold_initial(id, &variable);
         self.variables.push(variable);
         id
@@ -109,18 +96,16 @@ impl PouScope {
 
     fn hold_initial(&mut self, id: VariableId, variable: &Variable) {
         match (&variable.initial, &variable.ty) {
-            (Some(InitialValue::Expression(value)), _) => self.hold(id, value),
-            (Some(InitialValue::Array(values)), _) => values.iter().for_each(|value| self.hold(id, value)),
-            (Some(InitialValue::Structure(values)), _) => {
-                values.iter().for_each(|(_, value)| self.hold(id, value))
-            }
-            (None, Type::Elementary(ty)) => {
-                self.held
-                    .extend(literals::boundaries(*ty).first().map(|zero| HeldValue {
-                        variable: id,
-                        ty: *ty,
-                        value: zero.clone(),
-                    }))
+            (Some(initial), _) => visit::initial_values(initial)
+                .into_iter()
+                .for_each(|value| self.hold(id, value)),
+            (None, &Type::Elementary(ty)) => {
+                let zero = literals::boundaries(ty).first().cloned();
+                self.held.extend(zero.map(|value| HeldValue {
+                    variable: id,
+                    ty,
+                    value,
+                }));
             }
             (None, _) => {}
         }
@@ -176,20 +161,11 @@ impl PouScope {
                 }
             }
             Type::Block(block) => {
-                let outputs = program
-                    .blocks
-                    .get(*block)
-                    .map_or(&[][..], |block| &block.variables);
-                for (number, output) in outputs.iter().enumerate() {
+                for (number, output) in Unit::Block(*block).variables(program).iter().enumerate() {
                     if output.section == VariableSection::Output {
-                        let seen = part(PathStep::Output(VariableId(number)), &output.ty);
-                        self.see(
-                            VisiblePlace {
-                                writable: false,
-                                ..seen
-                            },
-                            program,
-                        );
+                        let mut seen = part(PathStep::Output(VariableId(number)), &output.ty);
+                        seen.writable = false;
+                        self.see(seen, program);
                     }
                 }
             }

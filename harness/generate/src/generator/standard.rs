@@ -2,7 +2,6 @@
 
 use super::builder::ProgramBuilder;
 use super::literals;
-use super::operations::real;
 use super::places::integer;
 use super::type_context::TypeContext;
 use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function};
@@ -15,15 +14,12 @@ impl ProgramBuilder<'_, '_> {
             let count = 2 + self.random.below(2);
             let mut arguments = vec![self.selector(count as i64 - 1)];
             arguments.extend((0..count).map(|_| self.value(ty, TypeContext::Exact, depth)));
-            return Expression::elementary(ty, ExpressionKind::Standard(Function::Mux, arguments));
+            return Expression::standard(Function::Mux, arguments, ty);
         }
         let condition = self.value(ElementaryType::Bool, TypeContext::Exact, depth);
         let first = self.value(ty, TypeContext::Exact, depth);
         let second = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Sel, vec![condition, first, second]),
-        )
+        Expression::standard(Function::Sel, vec![condition, first, second], ty)
     }
 
     /// Generates an INT from 0 to a limit.
@@ -47,7 +43,7 @@ impl ProgramBuilder<'_, '_> {
         }
         let arguments = (0..count).map(|_| self.value(ty, TypeContext::Exact, depth));
         let arguments = arguments.collect();
-        Expression::elementary(ty, ExpressionKind::Standard(function, arguments))
+        Expression::standard(function, arguments, ty)
     }
 
     /// Generates LIMIT with a lower limit not above the upper one; no document states the result otherwise.
@@ -61,10 +57,7 @@ impl ProgramBuilder<'_, '_> {
         }
         let [low, high] = limits.map(|limit| Expression::literal(ty, limit, LiteralForm::Typed));
         let inner = self.value(ty, TypeContext::Exact, depth);
-        Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Limit, vec![low, inner, high]),
-        )
+        Expression::standard(Function::Limit, vec![low, inner, high], ty)
     }
 
     /// Generates ABS, of a signed integer limited to exclude the least one, whose negation overflows.
@@ -76,14 +69,16 @@ impl ProgramBuilder<'_, '_> {
                     Expression::literal(ty, Value::plain(ty, ty.wrap(number)), LiteralForm::Typed)
                 };
                 let arguments = vec![limit(least + 1), operand, limit(greatest)];
-                Expression::elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))
+                Expression::standard(Function::Limit, arguments, ty)
             }
             _ => operand,
         };
-        Some(Expression::elementary(
-            ty,
-            ExpressionKind::Standard(Function::Abs, vec![operand]),
-        ))
+        let absolute = Expression::standard(Function::Abs, vec![operand], ty);
+        // Of the functions of real numbers this one alone has a result that is exact.
+        if ty.is_real() && !self.lacks("sqrt") && self.random.chance(1, 2) {
+            return Some(Expression::standard(Function::SquareRoot, vec![absolute], ty));
+        }
+        Some(absolute)
     }
 
     /// Generates SHL, SHR, ROL or ROR by fewer bits than the type has; with open constructs sometimes by more.
@@ -104,28 +99,45 @@ impl ProgramBuilder<'_, '_> {
         } else {
             self.selector(most)
         };
-        Expression::elementary(ty, ExpressionKind::Standard(function, vec![operand, count]))
+        Expression::standard(function, vec![operand, count], ty)
     }
 
-    /// Generates LEN.
+    /// Generates LEN, or FIND of a text that is not empty.
     pub fn length(&mut self, depth: usize) -> Expression {
         let operand = self.value(ElementaryType::String, TypeContext::Exact, depth.min(1));
-        Expression::elementary(
-            ElementaryType::Int,
-            ExpressionKind::Standard(Function::Len, vec![operand]),
-        )
+        let sought = self.literal(ElementaryType::String, TypeContext::Exact);
+        let is_found = matches!(&sought.kind, ExpressionKind::Literal(Value::Text { units, .. }, _) if !units.is_empty());
+        let (function, arguments) = match is_found && !self.lacks("find") && self.random.chance(1, 2) {
+            true => (Function::Find, vec![operand, sought]),
+            false => (Function::Len, vec![operand]),
+        };
+        Expression::standard(function, arguments, ElementaryType::Int)
     }
 
-    /// Generates CONCAT of a text and a literal.
+    /// Generates CONCAT of a text and a literal, or LEFT or RIGHT of a text.
     pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
         let text = self.value(ty, TypeContext::Exact, depth.min(2));
+        let function = [Function::Left, Function::Right][self.random.below(2)];
+        let key = if function == Function::Left {
+            "left"
+        } else {
+            "right"
+        };
+        if self.random.chance(1, 3) && !self.lacks(key) {
+            let count = integer(
+                ElementaryType::Int,
+                self.random.between(0, 9),
+                LiteralForm::Untyped,
+            );
+            return Expression::standard(function, vec![text, count], ty);
+        }
         let more = self.literal(ty, TypeContext::Exact);
         let arguments = if self.random.chance(1, 2) {
             vec![more, text]
         } else {
             vec![text, more]
         };
-        Expression::elementary(ty, ExpressionKind::Standard(Function::Concat, arguments))
+        Expression::standard(Function::Concat, arguments, ty)
     }
 }
 
@@ -134,7 +146,7 @@ fn is_above(one: &Value, other: &Value) -> bool {
     let (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) = (one, other) else {
         return false;
     };
-    match (real(ty, raw), real(ty, other)) {
+    match (ty.real_value(raw), ty.real_value(other)) {
         (Some(one), Some(other)) => one > other,
         _ => ty.integer_value(raw) > ty.integer_value(other),
     }

@@ -3,11 +3,9 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::places::integer;
-use super::scope::PouRole;
 use super::type_context::TypeContext;
 use crate::model::{
-    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Statement, Type, VariableId,
-    VariableSection,
+    Argument, CaseBranch, CaseLabel, Expression, LiteralForm, Statement, Type, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -88,6 +86,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     fn choice(&mut self, depth: usize) -> StatementForm {
+        use StatementForm as S;
         let deepest = if self.has(Construct::Nested) { 4 } else { 2 };
         let nests = depth < deepest && self.statements_left > 0;
         let loops = nests && self.pou.loops_around < 3 && self.affords(8);
@@ -98,24 +97,18 @@ impl ProgramBuilder<'_, '_> {
             .iter()
             .any(|variable| matches!(variable.ty, Type::Block(_)));
         let may_leave = (self.pou.loops_around > 0 && self.has(Construct::Exit))
-            || (self.pou.kind != PouRole::Main && self.has(Construct::Return));
+            || (!self.is_main && self.has(Construct::Return));
         let bits = self.has(Construct::Bits) && self.profile.has_bits(self.open);
         let choices = [
-            (StatementForm::Assign, 12),
-            (StatementForm::AssignBit, weight(bits, 4)),
-            (StatementForm::If, weight(nests && self.has(Construct::If), 5)),
-            (StatementForm::Case, weight(nests && self.has(Construct::Case), 4)),
-            (StatementForm::For, weight(loops && self.has(Construct::For), 3)),
-            (
-                StatementForm::While,
-                weight(loops && self.has(Construct::While), 2),
-            ),
-            (
-                StatementForm::Repeat,
-                weight(loops && self.has(Construct::Repeat), 2),
-            ),
-            (StatementForm::Invoke, weight(instances, 6)),
-            (StatementForm::Leave, weight(depth > 0 && may_leave, 2)),
+            (S::Assign, 12),
+            (S::AssignBit, weight(bits, 4)),
+            (S::If, weight(nests && self.has(Construct::If), 5)),
+            (S::Case, weight(nests && self.has(Construct::Case), 4)),
+            (S::For, weight(loops && self.has(Construct::For), 3)),
+            (S::While, weight(loops && self.has(Construct::While), 2)),
+            (S::Repeat, weight(loops && self.has(Construct::Repeat), 2)),
+            (S::Invoke, weight(instances, 6)),
+            (S::Leave, weight(depth > 0 && may_leave, 2)),
         ];
         let weights = choices.map(|(_, weight)| weight);
         choices[self.random.weighted(&weights)].0
@@ -172,10 +165,7 @@ impl ProgramBuilder<'_, '_> {
             if !branches.is_empty() && self.random.chance(1, 4) {
                 continue;
             }
-            let label = CaseLabel::One(Expression {
-                ty: ty.clone(),
-                kind: ExpressionKind::Enumerated(value),
-            });
+            let label = CaseLabel::One(Expression::enumerated(ty, value));
             match branches.last_mut() {
                 Some(last) if self.random.chance(1, 3) => last.push(label),
                 _ => branches.push(vec![label]),
@@ -288,7 +278,7 @@ impl ProgramBuilder<'_, '_> {
     /// Generates a conditional EXIT or RETURN.
     fn leave(&mut self) -> Statement {
         let may_exit = self.pou.loops_around > 0 && self.has(Construct::Exit);
-        let may_return = self.pou.kind != PouRole::Main && self.has(Construct::Return);
+        let may_return = !self.is_main && self.has(Construct::Return);
         let kind = if may_exit && !(may_return && self.random.chance(1, 4)) {
             Statement::Exit
         } else {

@@ -38,6 +38,41 @@ impl Expression {
         }
     }
 
+    /// Creates an operation with one operand.
+    #[must_use]
+    pub fn unary(operator: UnaryOperator, operand: Expression) -> Expression {
+        Expression {
+            ty: operand.ty.clone(),
+            kind: ExpressionKind::Unary(operator, Box::new(operand)),
+        }
+    }
+
+    /// Creates an implicit conversion.
+    #[must_use]
+    pub fn widened(ty: Type, operand: Expression) -> Expression {
+        let kind = ExpressionKind::Widen(Box::new(operand));
+        Expression { ty, kind }
+    }
+
+    /// Creates a value of an enumeration.
+    #[must_use]
+    pub fn enumerated(ty: &Type, value: usize) -> Expression {
+        Expression {
+            ty: ty.clone(),
+            kind: ExpressionKind::Enumerated(value),
+        }
+    }
+
+    /// Creates a call of a standard function whose result has an elementary type.
+    #[must_use]
+    pub const fn standard(
+        function: StandardFunction,
+        arguments: Vec<Expression>,
+        result: ElementaryType,
+    ) -> Expression {
+        Expression::elementary(result, ExpressionKind::Standard(function, arguments))
+    }
+
     /// Creates an operation with two operands whose result has an elementary type.
     #[must_use]
     pub fn binary(
@@ -215,5 +250,13 @@ words! {
         Len = "LEN",
         /// `CONCAT(IN1, IN2)`
         Concat = "CONCAT",
+        /// `LEFT(IN, L)`
+        Left = "LEFT",
+        /// `RIGHT(IN, L)`
+        Right = "RIGHT",
+        /// `FIND(IN1, IN2)`
+        Find = "FIND",
+        /// `SQRT(IN)`
+        SquareRoot = "SQRT",
     }
 }

@@ -1,7 +1,7 @@
 //! Lookups that every reader of a program needs: resolved aliases, fields of structures, observed values.
 
 use super::{
-    ArrayType, DeclaredKind, Expression, Function, PlaceSelector, Program, Type, Unit, Variable, VariableId,
+    ArrayType, DeclaredKind, Expression, PlaceSelector, Pou, Program, Type, Unit, Variable, VariableId,
     VariableSection,
 };
 use stickler_types::ElementaryType;
@@ -93,8 +93,14 @@ impl Program {
     }
 }
 
-impl Function {
-    /// Returns the inputs with their indices, in the order of a positional call.
+impl Pou {
+    /// Declares a variable after all others.
+    pub fn declare(&mut self, variable: Variable) -> VariableId {
+        self.variables.push(variable);
+        VariableId(self.variables.len() - 1)
+    }
+
+    /// Returns the inputs of a function with their indices, in the order of a positional call.
     pub fn inputs(&self) -> impl Iterator<Item = (VariableId, &Variable)> {
         let variables = self.variables.iter().enumerate();
         variables

@@ -13,60 +13,42 @@ pub struct Program {
     /// The declared types (TYPE … END_TYPE).
     pub types: Vec<TypeDeclaration>,
     /// The functions; each calls only earlier ones.
-    pub functions: Vec<Function>,
+    pub functions: Vec<Pou>,
     /// The function blocks; each has instances only of earlier ones.
-    pub blocks: Vec<FunctionBlock>,
+    pub blocks: Vec<Pou>,
     /// The main program, `PROGRAM main`.
-    pub main: MainPou,
+    pub main: Pou,
 }
 
 impl Program {
     /// Creates a program without declarations and statements.
     #[must_use]
-    pub const fn empty(dialect: DialectName) -> Program {
+    pub fn empty(dialect: DialectName) -> Program {
         Program {
             dialect,
             types: Vec::new(),
             functions: Vec::new(),
             blocks: Vec::new(),
-            main: MainPou {
-                variables: Vec::new(),
-                body: Vec::new(),
+            main: Pou {
+                name: "main".to_owned(),
+                ..Pou::default()
             },
         }
     }
 }
 
-/// A function.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Function {
-    /// The name of the function, unique in the program.
+/// A program organization unit (POU): a function, a function block, or the main program.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Pou {
+    /// The name, unique in the program.
     pub name: String,
-    /// The type of the result, whose value starts as the default of that type.
-    pub result: Type,
-    /// The variables: inputs first, in the order of a positional call.
+    /// The type of the result of a function, whose value starts as the default of that type; `None` for any other unit.
+    pub result: Option<Type>,
+    /// The variables. In a function the inputs come first, in the order of a positional call; those of a function block keep
+    /// their values between calls; those of main are all [`VariableSection::Local`].
     pub variables: Vec<Variable>,
-    /// The statements; they assign the result by [`super::AssignmentTarget::Result`].
-    pub body: Vec<Statement>,
-}
-
-/// A function block.
-#[derive(Clone, PartialEq, Debug)]
-pub struct FunctionBlock {
-    /// The name of the function block, unique in the program.
-    pub name: String,
-    /// The variables, which keep their values between calls.
-    pub variables: Vec<Variable>,
-    /// The statements that a call of an instance executes.
-    pub body: Vec<Statement>,
-}
-
-/// The main program, `PROGRAM main`.
-#[derive(Clone, PartialEq, Debug)]
-pub struct MainPou {
-    /// The variables of main, all [`VariableSection::Local`].
-    pub variables: Vec<Variable>,
-    /// The statements that one scan executes.
+    /// The statements that a call, or one scan, executes. A function assigns its result by
+    /// [`super::AssignmentTarget::Result`].
     pub body: Vec<Statement>,
 }
 

@@ -1,6 +1,6 @@
 //! The program organization units of a program of the model.
 
-use super::{Program, Statement, Variable};
+use super::{Pou, Program, Statement, Variable};
 
 /// A program organization unit, by its place in the program.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -24,51 +24,37 @@ impl Unit {
         functions.chain(blocks).chain([Unit::Main]).collect()
     }
 
-    /// Returns the variables and the statements of the unit; `None` if the program has no such unit.
-    fn parts(self, program: &Program) -> Option<(&Vec<Variable>, &Vec<Statement>)> {
+    /// Returns the unit; `None` if the program has no such unit.
+    #[must_use]
+    pub fn pou(self, program: &Program) -> Option<&Pou> {
         match self {
             Unit::Types => None,
-            Unit::Function(index) => program
-                .functions
-                .get(index)
-                .map(|one| (&one.variables, &one.body)),
-            Unit::Block(index) => program.blocks.get(index).map(|one| (&one.variables, &one.body)),
-            Unit::Main => Some((&program.main.variables, &program.main.body)),
+            Unit::Function(index) => program.functions.get(index),
+            Unit::Block(index) => program.blocks.get(index),
+            Unit::Main => Some(&program.main),
+        }
+    }
+
+    /// Returns the unit for changes; `None` if the program has no such unit.
+    #[must_use]
+    pub fn pou_mut(self, program: &mut Program) -> Option<&mut Pou> {
+        match self {
+            Unit::Types => None,
+            Unit::Function(index) => program.functions.get_mut(index),
+            Unit::Block(index) => program.blocks.get_mut(index),
+            Unit::Main => Some(&mut program.main),
         }
     }
 
     /// Returns the variables of the unit; an empty slice if the program has no such unit.
     #[must_use]
     pub fn variables(self, program: &Program) -> &[Variable] {
-        self.parts(program).map_or(&[], |(variables, _)| variables)
+        self.pou(program).map_or(&[], |pou| &pou.variables)
     }
 
     /// Returns the statements of the unit; an empty slice if the program has no such unit.
     #[must_use]
     pub fn body(self, program: &Program) -> &[Statement] {
-        self.parts(program).map_or(&[], |(_, body)| body)
-    }
-
-    /// Returns the variables and the statements of the unit for changes; `None` if the program has no such unit.
-    #[must_use]
-    pub fn parts_mut(self, program: &mut Program) -> Option<(&mut Vec<Variable>, &mut Vec<Statement>)> {
-        match self {
-            Unit::Types => None,
-            Unit::Function(index) => {
-                let function = program.functions.get_mut(index)?;
-                Some((&mut function.variables, &mut function.body))
-            }
-            Unit::Block(index) => {
-                let block = program.blocks.get_mut(index)?;
-                Some((&mut block.variables, &mut block.body))
-            }
-            Unit::Main => Some((&mut program.main.variables, &mut program.main.body)),
-        }
-    }
-
-    /// Returns the variables of the unit for changes; `None` if the program has no such unit.
-    #[must_use]
-    pub fn variables_mut(self, program: &mut Program) -> Option<&mut Vec<Variable>> {
-        self.parts_mut(program).map(|(variables, _)| variables)
+        self.pou(program).map_or(&[], |pou| &pou.body)
     }
 }

@@ -70,31 +70,23 @@ macro_rules! define_visitor {
         /// variables.
         pub fn walk_program(visitor: &mut (impl $visitor + ?Sized), program: &$($mutability)? Program) {
             let Program { types, functions, blocks, main, .. } = program;
-            visitor.enter(Unit::Main);
-            walk_unit(visitor, &$($mutability)? main.variables, &$($mutability)? main.body);
-            for (index, function) in functions.into_iter().enumerate() {
-                visitor.enter(Unit::Function(index));
-                visitor.ty(&$($mutability)? function.result);
-                walk_unit(visitor, &$($mutability)? function.variables, &$($mutability)? function.body);
-            }
-            for (index, block) in blocks.into_iter().enumerate() {
-                visitor.enter(Unit::Block(index));
-                walk_unit(visitor, &$($mutability)? block.variables, &$($mutability)? block.body);
+            let functions = functions.into_iter().enumerate();
+            let functions = functions.map(|(index, function)| (Unit::Function(index), function));
+            let blocks = blocks.into_iter().enumerate();
+            let blocks = blocks.map(|(index, block)| (Unit::Block(index), block));
+            for (unit, pou) in [(Unit::Main, main)].into_iter().chain(functions).chain(blocks) {
+                visitor.enter(unit);
+                if let Some(result) = &$($mutability)? pou.result {
+                    visitor.ty(result);
+                }
+                visitor.statements(&$($mutability)? pou.body);
+                for variable in &$($mutability)? pou.variables {
+                    visitor.variable(variable);
+                }
             }
             visitor.enter(Unit::Types);
             for declaration in types {
                 visitor.declaration(declaration);
-            }
-        }
-
-        fn walk_unit(
-            visitor: &mut (impl $visitor + ?Sized),
-            variables: &$($mutability)? [Variable],
-            body: &$($mutability)? $list,
-        ) {
-            visitor.statements(body);
-            for variable in variables {
-                visitor.variable(variable);
             }
         }
 
@@ -123,19 +115,19 @@ macro_rules! define_visitor {
             variable: &$($mutability)? Variable,
         ) {
             visitor.ty(&$($mutability)? variable.ty);
-            match &$($mutability)? variable.initial {
-                None => {}
-                Some(InitialValue::Expression(value)) => visitor.expression(value),
-                Some(InitialValue::Array(values)) => {
-                    for value in values {
-                        visitor.expression(value);
-                    }
+            if let Some(initial) = &$($mutability)? variable.initial {
+                for value in initial_values(initial) {
+                    visitor.expression(value);
                 }
-                Some(InitialValue::Structure(fields)) => {
-                    for (_, value) in fields {
-                        visitor.expression(value);
-                    }
-                }
+            }
+        }
+
+        /// Returns the expressions of an initial value, in the order of the text.
+        pub fn initial_values(initial: &$($mutability)? InitialValue) -> Vec<&$($mutability)? Expression> {
+            match initial {
+                InitialValue::Expression(value) => vec![value],
+                InitialValue::Array(values) => values.into_iter().collect(),
+                InitialValue::Structure(fields) => fields.into_iter().map(|(_, value)| value).collect(),
             }
         }
 

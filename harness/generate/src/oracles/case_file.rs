@@ -1,6 +1,6 @@
 //! Oracle `case_file`: the input is a case file, or a file of places, and its reader returns cases or located errors.
 
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, failed};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 use stickler_suite::{Case, CaseFileError, Dialects, Places, read_case_file};
@@ -38,7 +38,7 @@ const MAX_CASES: usize = 200_000;
 ///
 /// # Errors
 /// Symptoms: `nothing`, `error:place`, `error:message`, `case:id`, `case:place`, `case:source`, `case:basis`, `size`, `changes`.
-pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub(super) fn judge(data: &[u8]) -> Judged {
     let Ok(text) = std::str::from_utf8(data) else {
         // The reader of files refuses these bytes before this reader sees them.
         return Ok(InputOutcome::Skipped("no text"));
@@ -60,17 +60,11 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     errors.iter().try_for_each(|error| check_error(error, lines))?;
     check_cases(&cases, lines)?;
     if cases.is_empty() && errors.is_empty() {
-        return Err(OracleFailure::new(
-            "nothing",
-            "the file has neither a case nor an error",
-        ));
+        return failed("nothing", "the file has neither a case nor an error");
     }
     // A difference between two readings would come from the order of a hash table, which a small file shows too.
     if text.len() < 1024 && read_case_file(name, text, &DIALECTS, &PLACES) != (cases, errors) {
-        return Err(OracleFailure::new(
-            "changes",
-            "reading the file again gives something else",
-        ));
+        return failed("changes", "reading the file again gives something else");
     }
     Ok(InputOutcome::Checked)
 }
@@ -78,7 +72,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
 /// A table that is put together of places.
 const PLACED: &str = include_str!("case_file/placed.toml");
 
-fn check_places(text: &str) -> Result<InputOutcome, OracleFailure> {
+fn check_places(text: &str) -> Judged {
     let (places, errors) = Places::of_file("places.toml", text, &DIALECTS);
     let own = lines(text);
     errors.iter().try_for_each(|error| check_error(error, own))?;
@@ -94,30 +88,24 @@ fn lines(text: &str) -> usize {
     text.lines().count().max(1) + 1
 }
 
-fn check_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> {
+fn check_error(error: &CaseFileError, lines: usize) -> Judged<()> {
     if error.line == 0 || error.line as usize > lines {
         let message = format!("the error does not lie in the file's {lines} lines: {error}");
-        return Err(OracleFailure::new("error:place", message));
+        return failed("error:place", message);
     }
     if error.message.is_empty() {
-        return Err(OracleFailure::new(
-            "error:message",
-            format!("the error says nothing: {error:?}"),
-        ));
+        return failed("error:message", format!("the error says nothing: {error:?}"));
     }
     Ok(())
 }
 
-fn check_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
+fn check_cases(cases: &[Case], lines: usize) -> Judged<()> {
     if cases.len() > MAX_CASES {
-        return Err(OracleFailure::new(
-            "size",
-            format!("the file expands into {} cases", cases.len()),
-        ));
+        return failed("size", format!("the file expands into {} cases", cases.len()));
     }
     let mut ids = HashSet::with_capacity(cases.len());
     for case in cases {
-        let wrong = |symptom: &str, what: &str| Err(OracleFailure::new(symptom, format!("{what}: {case:?}")));
+        let wrong = |symptom: &str, what: &str| failed(symptom, format!("{what}: {case:?}"));
         if case.id.is_empty() || !case.id.is_ascii() || !ids.insert((&case.id, case.dialect)) {
             return wrong("case:id", "the id is empty, not ASCII, or another case's");
         }

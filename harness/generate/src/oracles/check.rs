@@ -1,10 +1,10 @@
 //! Oracle `check`: the reference reports exactly one planted error, on its line, and its suggestion helps.
 
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, OracleFailure};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
-use crate::writer::{Keywords, LineEnds, Style, write};
+use crate::writer::{Keywords, Style, write};
 use stickler_types::{Diagnostic, DialectName};
 
 /// The number of bytes that choose the style and the error; the others choose the program.
@@ -17,7 +17,7 @@ const OF_THE_ERROR: usize = 48;
 ///
 /// # Errors
 /// The first of these conditions that does not hold.
-pub fn check(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub fn check(data: &[u8]) -> Judged {
     let Some(SoundProgram { sound, style, error }) = SoundProgram::of(data) else {
         return Ok(InputOutcome::Skipped("too short"));
     };
@@ -56,11 +56,7 @@ fn style(choice: u8) -> Style {
     Style {
         keywords: [Keywords::Upper, Keywords::Lower, Keywords::Mixed, Keywords::Upper]
             [usize::from(choice & 3)],
-        line_ends: if choice & 4 == 0 {
-            LineEnds::Lf
-        } else {
-            LineEnds::CrLf
-        },
+        carriage_returns: choice & 4 != 0,
         seed: u64::from(choice),
         ..Style::default()
     }
@@ -70,7 +66,7 @@ fn style(choice: u8) -> Style {
 ///
 /// # Errors
 /// Fails as [`check`] does.
-pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputOutcome, OracleFailure> {
+pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Judged {
     let without = write(sound, style);
     judge_sound_text(sound.dialect, &without.text)?;
     let with = write(&planted.program, style);
@@ -82,7 +78,7 @@ pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputO
 ///
 /// # Errors
 /// The text is rejected.
-pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFailure> {
+pub fn judge_sound_text(dialect: DialectName, text: &str) -> Judged<()> {
     match stickler_reference::errors(text, dialect).first() {
         None => Ok(()),
         Some(said) => {
@@ -97,7 +93,7 @@ pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFa
 ///
 /// # Errors
 /// The error is not the only diagnostic, or its suggestion does not help.
-pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), OracleFailure> {
+pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Judged<()> {
     let dialect = planted.program.dialect;
     let said = stickler_reference::errors(text, dialect);
     let verdict =
@@ -215,59 +211,41 @@ mod tests {
             .expect("one of the programs has a place for the error")
     }
 
-    fn symptom(sound: &Program, planted: &Planted) -> Option<String> {
-        judge(sound, planted, &Style::default())
-            .err()
-            .map(|failure| failure.symptom)
-    }
-
     const UNKNOWN: &str = "an unknown variable assigned";
 
     #[test]
-    fn an_error_that_is_found_is_well() {
+    fn each_way_of_missing_an_error_has_its_symptom() {
         let (sound, planted) = planted(UNKNOWN);
-        assert_eq!(symptom(&sound, &planted), None);
-    }
-
-    #[test]
-    fn an_error_that_is_not_found_is_told() {
-        let (sound, mut planted) = planted(UNKNOWN);
-        planted.program = sound.clone();
-        assert_eq!(symptom(&sound, &planted).as_deref(), Some("not-rejected:P4007"));
-    }
-
-    #[test]
-    fn another_code_is_told() {
-        let (sound, mut planted) = planted(UNKNOWN);
-        planted.code = Code::AssignmentTypeMismatch;
+        let symptom = |sound: &Program, change: &dyn Fn(&mut Planted)| {
+            let mut changed = planted.clone();
+            change(&mut changed);
+            let judged = judge(sound, &changed, &Style::default());
+            judged.err().map(|failure| failure.symptom)
+        };
+        let second = |planted: &mut Planted| {
+            let again = crate::model::Statement::Raw("missing := 1;".to_owned());
+            planted.program.main.body.push(again);
+        };
+        let changes: [(&dyn Fn(&mut Planted), Option<&str>); 5] = [
+            (&|_| {}, None),
+            (
+                &|planted| planted.program = sound.clone(),
+                Some("not-rejected:P4007"),
+            ),
+            (
+                &|planted| planted.code = Code::AssignmentTypeMismatch,
+                Some("other-code:P4035:P4007"),
+            ),
+            (&second, Some("more:P4007:P4007")),
+            (&|planted| planted.suggested = true, Some("no-suggestion:P4007")),
+        ];
+        for (change, expected) in changes {
+            assert_eq!(symptom(&sound, change).as_deref(), expected);
+        }
         assert_eq!(
-            symptom(&sound, &planted).as_deref(),
-            Some("other-code:P4035:P4007")
-        );
-    }
-
-    #[test]
-    fn a_second_diagnostic_is_told() {
-        let (sound, mut planted) = planted(UNKNOWN);
-        let again = crate::model::Statement::Raw("missing := 1;".to_owned());
-        planted.program.main.body.push(again);
-        assert_eq!(symptom(&sound, &planted).as_deref(), Some("more:P4007:P4007"));
-    }
-
-    #[test]
-    fn a_sound_program_that_is_rejected_is_told() {
-        let (_, planted) = planted(UNKNOWN);
-        assert_eq!(
-            symptom(&planted.program, &planted).as_deref(),
+            symptom(&planted.program, &|_| {}).as_deref(),
             Some("rejected:P4007")
         );
-    }
-
-    #[test]
-    fn a_suggestion_that_is_wanted_is_missed() {
-        let (sound, mut planted) = planted(UNKNOWN);
-        planted.suggested = true;
-        assert_eq!(symptom(&sound, &planted).as_deref(), Some("no-suggestion:P4007"));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Oracle `convert`: a call of a conversion function gives the result of exact arithmetic.
 
 use super::operands::operand;
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, failed};
 use arbitrary::Unstructured;
 use std::sync::LazyLock;
 use stickler_exact::{Signature, expected, functions, signatures};
@@ -25,7 +25,7 @@ static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLoc
 ///
 /// # Errors
 /// Symptoms: `value:FUNCTION`, `rejected:CODE`, `fault:FAULT`, `internal-error`, `request`.
-pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub(super) fn judge(data: &[u8]) -> Judged {
     let mut input = Unstructured::new(data);
     let Ok((dialect, signature, operands)) = call(&mut input) else {
         return Ok(InputOutcome::Skipped("too short"));
@@ -67,12 +67,7 @@ fn declared(ty: ElementaryType) -> String {
     }
 }
 
-fn hold(
-    dialect: DialectName,
-    signature: &Signature,
-    operands: &[Value],
-    source: &str,
-) -> Result<(), OracleFailure> {
+fn hold(dialect: DialectName, signature: &Signature, operands: &[Value], source: &str) -> Judged<()> {
     let set: Vec<Setting> = ["a", "b"]
         .into_iter()
         .zip(operands)
@@ -100,20 +95,17 @@ fn hold(
                 .and_then(|first| first.code.clone())
                 .unwrap_or_default();
             let message = format!("{} is rejected: {said:?}", call());
-            return Err(OracleFailure::new(format!("rejected:{first}"), message));
+            return failed(format!("rejected:{first}"), message);
         }
         Ok(Outcome::Faulted { fault, .. }) => {
             let message = format!("{} faults: {fault}", call());
-            return Err(OracleFailure::new(format!("fault:{fault}"), message));
+            return failed(format!("fault:{fault}"), message);
         }
-        Ok(other) => return Err(OracleFailure::new("request", format!("{}: {other}", call()))),
+        Ok(other) => return failed("request", format!("{}: {other}", call())),
         Err(RequestError::Internal(reason)) => {
-            return Err(OracleFailure::new(
-                "internal-error",
-                format!("{}: {reason}", call()),
-            ));
+            return failed("internal-error", format!("{}: {reason}", call()));
         }
-        Err(error) => return Err(OracleFailure::new("request", format!("{}: {error}", call()))),
+        Err(error) => return failed("request", format!("{}: {error}", call())),
     };
     let exact = expected(signature, operands, dialect);
     if got.as_ref() == Some(&exact.value) {
@@ -121,14 +113,14 @@ fn hold(
     }
     let got = got.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
     let basis = exact.basis.unwrap_or("open: no document says");
-    Err(OracleFailure::new(
+    failed(
         format!("value:{}", signature.function),
         format!(
             "{} is {} ({basis}), and the reference gives {got}",
             call(),
             exact.value
         ),
-    ))
+    )
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! A program that meets a question that documents leave open is skipped instead of failing.
 
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, OracleFailure, failed};
 use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
@@ -30,7 +30,7 @@ const COMMAND: &str = "cmd:";
 ///
 /// # Errors
 /// See [`judge_on`]; `engine` if the engine cannot be started.
-pub fn differential(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub fn differential(data: &[u8]) -> Judged {
     thread_local! {
         static OPEN: RefCell<Option<Result<Open, String>>> = const { RefCell::new(None) };
     }
@@ -39,7 +39,7 @@ pub fn differential(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     };
     OPEN.with_borrow_mut(|open| match open.get_or_insert_with(|| Open::new(&name)) {
         Ok(open) => judge_on(open.session.as_mut(), &program_for(&open.dialects, data)),
-        Err(reason) => Err(OracleFailure::new("engine", reason.clone())),
+        Err(reason) => failed("engine", reason.clone()),
     })
 }
 
@@ -96,7 +96,7 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
 ///
 /// # Errors
 /// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`deviation`].
-pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOutcome, OracleFailure> {
+pub fn judge_on(session: &mut dyn Session, program: &Program) -> Judged {
     let Ok(evaluation) = evaluate(program, 1) else {
         return Ok(InputOutcome::Skipped("the program has no values"));
     };

@@ -1,7 +1,7 @@
 //! Oracle `execute`: the reference accepts a well-typed program, runs it to its end, and gives the values of the evaluator,
 //! for the program and for its variants.
 
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, OracleFailure, failed};
 use crate::evaluate::{Evaluation, EvaluationError, evaluate};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
@@ -19,7 +19,7 @@ const VARIANTS_TRIED: usize = 3;
 ///
 /// # Errors
 /// See [`judge_program`].
-pub fn execute(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub fn execute(data: &[u8]) -> Judged {
     judge_program(&program_of(data), data)
 }
 
@@ -36,7 +36,7 @@ pub fn program_of(data: &[u8]) -> Program {
 /// The reference rejects the program or a variant of it, faults where the evaluator does not or otherwise, does not
 /// terminate, breaks down, or gives another value; or the program is ill-formed, which is a defect of the generator. The
 /// symptom of a variant begins with `variant`, its name and a colon.
-pub fn judge_program(program: &Program, rest: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub fn judge_program(program: &Program, rest: &[u8]) -> Judged {
     let text = write(program, &Style::default()).text;
     let evaluation = match evaluate(program, 1) {
         Ok(evaluation) => evaluation,
@@ -61,11 +61,7 @@ pub fn judge_program(program: &Program, rest: &[u8]) -> Result<InputOutcome, Ora
 }
 
 /// Judges a program that stops: the reference must stop it with the same fault.
-fn judge_fault(
-    program: &Program,
-    text: &str,
-    fault: stickler_types::Fault,
-) -> Result<InputOutcome, OracleFailure> {
+fn judge_fault(program: &Program, text: &str, fault: stickler_types::Fault) -> Judged {
     let symptom = match reference(program.dialect, text, &[]) {
         Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(InputOutcome::Checked),
         Ok(Outcome::Faulted { fault: given, .. }) => format!("fault:{given}"),
@@ -80,12 +76,7 @@ fn judge_fault(
 }
 
 /// Judges some variants of a program that the reference runs correctly.
-fn judge_variants(
-    program: &Program,
-    text: &str,
-    evaluation: &Evaluation,
-    rest: &[u8],
-) -> Result<(), OracleFailure> {
+fn judge_variants(program: &Program, text: &str, evaluation: &Evaluation, rest: &[u8]) -> Judged<()> {
     let choices = choice_bytes(rest);
     let mut choices = Unstructured::new(&choices);
     for _ in 0..VARIANTS_TRIED {
@@ -106,7 +97,7 @@ fn judge_variant(
     text: &str,
     varied: &str,
     evaluation: &Evaluation,
-) -> Result<(), OracleFailure> {
+) -> Judged<()> {
     let judged = values_of(program, varied).and_then(|given| compare(&evaluation.values, &given));
     judged.map_err(|failure| {
         let name = variant.as_str();
@@ -122,24 +113,21 @@ fn judge_variant(
 }
 
 /// Returns the values that the reference gives for everything observed of a program, by one of its texts.
-fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, OracleFailure> {
+fn values_of(program: &Program, text: &str) -> Judged<Vec<(String, Value)>> {
     let observed = program.observed();
     match reference(program.dialect, text, &observed) {
         Ok(Outcome::Executed { values, .. }) => Ok(values),
         Ok(Outcome::Rejected { diagnostics }) => Err(rejected(&diagnostics)),
         Ok(Outcome::Faulted { fault, line, .. }) => {
             let line = line.unwrap_or_default();
-            Err(OracleFailure::new(
+            failed(
                 format!("fault:{fault}"),
                 format!(
                     "the reference stops with the fault {fault} on line {line}, and nothing in the program does that"
                 ),
-            ))
+            )
         }
-        Ok(other) => Err(OracleFailure::new(
-            "not-run",
-            format!("the reference answers: {other}"),
-        )),
+        Ok(other) => failed("not-run", format!("the reference answers: {other}")),
         Err(error) => Err(broken(&error)),
     }
 }
@@ -179,19 +167,19 @@ fn broken(error: &RequestError) -> OracleFailure {
 ///
 /// # Errors
 /// The first value that differs; the symptom is `value:` and its type.
-pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -> Result<(), OracleFailure> {
+pub(super) fn compare(expected: &[(String, Value)], given: &[(String, Value)]) -> Judged<()> {
     for (index, (path, value)) in expected.iter().enumerate() {
         match given.get(index) {
             Some((name, other)) if name == path && other == value => {}
             Some((_, other)) => {
-                return Err(OracleFailure::new(
+                return failed(
                     format!("value:{}", value.type_name()),
                     format!("{path} is {other}, and by the documents {value}"),
-                ));
+                );
             }
             None => {
                 let message = format!("{path} has no value; the documents give {value}");
-                return Err(OracleFailure::new("value:missing", message));
+                return failed("value:missing", message);
             }
         }
     }

@@ -23,6 +23,17 @@ pub struct OracleFailure {
     pub program: Option<String>,
 }
 
+/// What an oracle says of an input, or of a part of it.
+pub type Judged<T = InputOutcome> = Result<T, OracleFailure>;
+
+/// Returns a failure without a program.
+///
+/// # Errors
+/// The failure.
+pub(super) fn failed<T>(symptom: impl Into<String>, message: impl Into<String>) -> Judged<T> {
+    Err(OracleFailure::new(symptom, message))
+}
+
 impl OracleFailure {
     /// Creates a failure without a program; [`OracleFailure::of_program`] adds one.
     #[must_use]

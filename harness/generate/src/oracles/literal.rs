@@ -1,7 +1,7 @@
 //! Oracle `literal`: a literal that reads has one canonical spelling, which reads to the same value.
 
 use super::numerals::{self, DecimalNumber};
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, failed};
 use num_bigint::BigInt;
 use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 
@@ -14,7 +14,7 @@ use stickler_types::{ElementaryType, Family, LiteralError, Value, literal};
 ///
 /// # Errors
 /// Symptoms, each followed by the type: `value`, `accepted`, `rejected`, `canonical`; `place` for the offset of an error.
-pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub(super) fn judge(data: &[u8]) -> Judged {
     if let Some((first, rest)) = data.split_first()
         && let Some(ty) = ElementaryType::ALL.get(usize::from(*first))
     {
@@ -54,13 +54,13 @@ fn value_of(ty: ElementaryType, bytes: &[u8]) -> Value {
 }
 
 /// Checks that the canonical spelling of a value reads to that value.
-fn check_written(value: &Value) -> Result<(), OracleFailure> {
+fn check_written(value: &Value) -> Judged<()> {
     let written = value.to_string();
     let wrong = |what: &str| {
-        Err(OracleFailure::new(
+        failed(
             format!("canonical:{}", value.type_name().to_ascii_uppercase()),
             format!("the canonical spelling {written} {what}"),
-        ))
+        )
     };
     match Value::parse(&written) {
         Err(error) => wrong(&format!("of {value:?} is not read: {error}")),
@@ -90,7 +90,7 @@ fn expected_spelling(value: &Value) -> Option<String> {
 }
 
 /// Checks the text as a typed literal.
-fn check_typed(text: &str) -> Result<(), OracleFailure> {
+fn check_typed(text: &str) -> Judged<()> {
     let got = Value::parse(text);
     match &got {
         Ok(value) => check_written(value)?,
@@ -144,7 +144,7 @@ fn low_bits(number: &BigInt) -> i128 {
 }
 
 /// Checks the text as an untyped literal.
-fn check_untyped(text: &str) -> Result<(), OracleFailure> {
+fn check_untyped(text: &str) -> Judged<()> {
     let fits = |number: BigInt| i128::try_from(number).ok();
     let got = literal::integer(text).map(Some);
     check_number(text, "integer", numerals::integer(text).map(fits), got)?;
@@ -164,7 +164,7 @@ fn check_number<T: PartialEq + std::fmt::Debug>(
     ty: &str,
     said: Option<Option<T>>,
     got: Result<Option<T>, LiteralError>,
-) -> Result<(), OracleFailure> {
+) -> Judged<()> {
     let symptom = match (&said, &got) {
         (None, Err(LiteralError::Malformed { .. })) | (Some(None), Err(LiteralError::Overflow { .. })) => {
             return Ok(());
@@ -175,7 +175,7 @@ fn check_number<T: PartialEq + std::fmt::Debug>(
         (_, Err(_)) => "rejected",
     };
     let message = format!("`{text}` as {ty} is {said:?} by exact arithmetic, and {got:?}");
-    Err(OracleFailure::new(format!("{symptom}:{ty}"), message))
+    failed(format!("{symptom}:{ty}"), message)
 }
 
 fn check_real(
@@ -183,7 +183,7 @@ fn check_real(
     said: Option<DecimalNumber>,
     ty: ElementaryType,
     got: Result<Option<u64>, LiteralError>,
-) -> Result<(), OracleFailure> {
+) -> Judged<()> {
     // The second reader verifies a raw form without computing it.
     let said = said.map(|decimal| match got {
         _ if decimal.overflows(ty) => None,
@@ -194,12 +194,12 @@ fn check_real(
 }
 
 /// Checks that an error points into the text.
-fn check_offset(text: &str, error: &LiteralError) -> Result<(), OracleFailure> {
+fn check_offset(text: &str, error: &LiteralError) -> Judged<()> {
     if text.is_char_boundary(error.offset()) {
         return Ok(());
     }
     let message = format!("the error `{error}` of `{text}` does not lie between its characters");
-    Err(OracleFailure::new("place", message))
+    failed("place", message)
 }
 
 #[cfg(test)]

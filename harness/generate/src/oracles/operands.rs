@@ -59,10 +59,7 @@ fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
     };
     let fraction = f64::from(input.arbitrary::<u8>()? % 8) / 8.0;
     let number = number + fraction;
-    let raw = match ty {
-        ElementaryType::Real => u64::from((number as f32).to_bits()),
-        _ => number.to_bits(),
-    };
+    let raw = ty.real_bits(number);
     let step = i64::from(input.arbitrary::<u8>()? % 3) - 1;
     // The step from 0 down would turn the sign.
     Ok(if raw == 0 {
@@ -135,7 +132,9 @@ mod tests {
             match operand {
                 Value::Plain { raw, .. } => assert_eq!(raw, 0, "{ty}"),
                 Value::Text { units, .. } => assert_eq!(units, [0_u16; 0]),
-                Value::Enumerated { .. } | Value::OutOfRange { .. } => unreachable!("no elementary type"),
+                Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
+                    unreachable!("no elementary type")
+                }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::spans::{check_spans, is_inside};
 use super::words::{census, missing};
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, OracleFailure, failed};
 use stickler_reference::semantics;
 use stickler_syntax::decoding::decode;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
@@ -42,7 +42,7 @@ const CHECKED_AGAIN: u32 = 2;
 /// # Errors
 /// Symptoms: `place`, `message`, `size`, `rendering:CODE`, `rendering:words`, `rendering:tree`, `rendering:changes`,
 /// `rendering:check`.
-pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub(super) fn judge(data: &[u8]) -> Judged {
     let (name, bytes) = match data.split_first() {
         Some((first, rest)) if usize::from(*first) < DialectName::ALL.len() => {
             (DialectName::ALL[usize::from(*first)], rest)
@@ -57,7 +57,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     Ok(InputOutcome::Checked)
 }
 
-fn check_text(text: &str, broken: &[SpannedDiagnostic], dialect: &Dialect) -> Result<(), OracleFailure> {
+fn check_text(text: &str, broken: &[SpannedDiagnostic], dialect: &Dialect) -> Judged<()> {
     let (unit, diagnostics) = parse(text, dialect);
     let (_, found) = semantics::check(&unit, text, &LineIndex::new(text), dialect);
     let all = || broken.iter().chain(&diagnostics).chain(&found);
@@ -67,7 +67,7 @@ fn check_text(text: &str, broken: &[SpannedDiagnostic], dialect: &Dialect) -> Re
     if unit.expressions.len() > text.len() || rendered.len() > MAX_GROWTH * (text.len() + 1) {
         let sizes = (text.len(), unit.expressions.len(), rendered.len());
         let said = format!("bytes of the text, expressions of the tree, bytes of the rendering: {sizes:?}");
-        return Err(OracleFailure::new("size", said));
+        return failed("size", said);
     }
     // Syntax that the dialect does not enable is not rendered either.
     let refused = |said: &SpannedDiagnostic| said.code.not_enabled();
@@ -83,9 +83,8 @@ fn check_rendering(
     rendered: &str,
     found: &[SpannedDiagnostic],
     dialect: &Dialect,
-) -> Result<(), OracleFailure> {
-    let failed =
-        |symptom: &str, said: String| Err(OracleFailure::new(symptom, format!("{said}\n{rendered}")));
+) -> Judged<()> {
+    let failed = |symptom: &str, said: String| failed(symptom, format!("{said}\n{rendered}"));
     let nested = dialect.nested_comments;
     let words = census(text, nested);
     if words != census(rendered, nested) {
@@ -130,7 +129,7 @@ fn codes(found: &[SpannedDiagnostic]) -> Vec<&'static str> {
     codes
 }
 
-fn check_diagnostic(diagnostic: &SpannedDiagnostic, text: &str) -> Result<(), OracleFailure> {
+fn check_diagnostic(diagnostic: &SpannedDiagnostic, text: &str) -> Judged<()> {
     let SpannedDiagnostic {
         code, span, message, ..
     } = diagnostic;
@@ -141,11 +140,11 @@ fn check_diagnostic(diagnostic: &SpannedDiagnostic, text: &str) -> Result<(), Or
             span.start,
             span.end
         );
-        return Err(OracleFailure::new("place", said));
+        return failed("place", said);
     }
     if message.is_empty() || message.len() > MAX_MESSAGE_LEN {
         let said = format!("a message of {} bytes: {message}", message.len());
-        return Err(OracleFailure::new("message", said));
+        return failed("message", said);
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Oracle `protocol`: every line that arrives over the wire is answered.
 
-use super::{InputOutcome, OracleFailure};
+use super::{InputOutcome, Judged, OracleFailure, failed};
 use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -23,7 +23,7 @@ static ENGINE: LazyLock<Reference> = LazyLock::new(|| Reference::with_step_limit
 ///
 /// # Errors
 /// Symptoms: `io`, `replies`, `reply`, `id`, `kind`, `values`, `diagnostics`, `crash`, `internal-error`.
-pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
+pub(super) fn judge(data: &[u8]) -> Judged {
     let mut output = Vec::new();
     serve(&*ENGINE, data, &mut output).map_err(|error| OracleFailure::new("io", error.to_string()))?;
     let lines = asked(data);
@@ -48,7 +48,7 @@ fn asked(data: &[u8]) -> Vec<&[u8]> {
 }
 
 /// Checks that every line is answered up to the first that may say `bye`.
-fn check_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
+fn check_count(lines: &[&[u8]], replies: usize) -> Judged<()> {
     let says_bye = |line: &&[u8]| {
         // An escape may spell it in other bytes.
         line.windows(3).any(|word| word == b"bye") || line.contains(&b'\\')
@@ -58,14 +58,14 @@ fn check_count(lines: &[&[u8]], replies: usize) -> Result<(), OracleFailure> {
         return Ok(());
     }
     let message = format!("{} lines ask something, and {replies} replies came", lines.len());
-    Err(OracleFailure::new("replies", message))
+    failed("replies", message)
 }
 
-fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
+fn check_reply(line: &[u8], reply: &[u8]) -> Judged<()> {
     let read: Reply =
         serde_json::from_slice(reply).map_err(|error| OracleFailure::new("reply", error.to_string()))?;
     if !reply.ends_with(b"\n") {
-        return Err(OracleFailure::new("reply", "the reply does not end its line"));
+        return failed("reply", "the reply does not end its line");
     }
     if let Reply::Error(error) = &read {
         check_error(&error.message)?;
@@ -74,10 +74,7 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
         return match read {
             // A number beyond the range of a JSON reader may still stand in a part that is not read.
             Reply::Error(_) => Ok(()),
-            _ => Err(OracleFailure::new(
-                "kind",
-                "no JSON object is answered by an error",
-            )),
+            _ => failed("kind", "no JSON object is answered by an error"),
         };
     };
     let id = request.get("id").and_then(Json::as_u64);
@@ -85,10 +82,7 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
         if kinds.contains(&read.word()) {
             Ok(())
         } else {
-            Err(OracleFailure::new(
-                "kind",
-                format!("a request is answered by `{}`", read.word()),
-            ))
+            failed("kind", format!("a request is answered by `{}`", read.word()))
         }
     };
     let verb = request.get("type").and_then(Json::as_str);
@@ -102,7 +96,7 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
     // A greeting has no id; if there is one, it need not be read.
     let without = verb == Some("hello") && read.id().is_none();
     if read.id() != id && !without {
-        return Err(OracleFailure::new("id", format!("the request's id is {id:?}")));
+        return failed("id", format!("the request's id is {id:?}"));
     }
     match &read {
         Reply::Executed(executed) => check_values(&request, &executed.values, true),
@@ -113,12 +107,12 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Result<(), OracleFailure> {
 }
 
 /// Checks that an error is about a request, never about the engine itself.
-fn check_error(message: &str) -> Result<(), OracleFailure> {
+fn check_error(message: &str) -> Judged<()> {
     if message.starts_with("the engine crashed: ") {
-        return Err(OracleFailure::new("crash", message));
+        return failed("crash", message);
     }
     if message.starts_with("defect of the reference: ") {
-        return Err(OracleFailure::new("internal-error", message));
+        return failed("internal-error", message);
     }
     Ok(())
 }
@@ -128,14 +122,14 @@ fn check_values(
     request: &serde_json::Map<String, Json>,
     values: &BTreeMap<String, String>,
     all: bool,
-) -> Result<(), OracleFailure> {
+) -> Judged<()> {
     for (name, value) in values {
         let canonical = Value::parse(value).is_ok_and(|read| read.to_string() == *value);
         if !canonical {
-            return Err(OracleFailure::new(
+            return failed(
                 "values",
                 format!("the value of {name} is {value}, which is not canonical"),
-            ));
+            );
         }
     }
     let asked = request
@@ -156,19 +150,13 @@ fn check_values(
     let surplus = values.keys().find(|name| !names.contains(name));
     match (missing, surplus) {
         (None, None) => Ok(()),
-        (Some(name), _) => Err(OracleFailure::new(
-            "values",
-            format!("the value of {name} is missing"),
-        )),
-        (_, Some(name)) => Err(OracleFailure::new("values", format!("nobody asked for {name}"))),
+        (Some(name), _) => failed("values", format!("the value of {name} is missing")),
+        (_, Some(name)) => failed("values", format!("nobody asked for {name}")),
     }
 }
 
 /// Checks that there are diagnostics, sorted, each with a code, a message and a place in the text.
-fn check_diagnostics(
-    request: &serde_json::Map<String, Json>,
-    diagnostics: &[Diagnostic],
-) -> Result<(), OracleFailure> {
+fn check_diagnostics(request: &serde_json::Map<String, Json>, diagnostics: &[Diagnostic]) -> Judged<()> {
     let source = request.get("source").and_then(Json::as_str).unwrap_or_default();
     let lines = source.bytes().filter(|byte| *byte == b'\n').count() + 1;
     let sound = |said: &Diagnostic| {
@@ -185,7 +173,7 @@ fn check_diagnostics(
         return Ok(());
     }
     let message = "no diagnostic, or one without code, message or place, or out of order";
-    Err(OracleFailure::new("diagnostics", message))
+    failed("diagnostics", message)
 }
 
 #[cfg(test)]

@@ -6,65 +6,35 @@ use super::{
 };
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use stickler_types::words;
 
-/// A question that random input is judged by.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum FuzzTarget {
-    /// The input is a source text: reading it neither fails nor hangs, and a readable text keeps its tree when it is
-    /// rendered.
-    Parse,
-    /// The input is a literal: its canonical spelling reads to the same value, which an independent reader finds too.
-    Literal,
-    /// The input encodes a function, operands and a dialect: the reference agrees with exact arithmetic.
-    Convert,
-    /// The input encodes a program with one planted error: the diagnostic has the planted code and line, and nothing else is
-    /// reported.
-    Check,
-    /// The input encodes a well-typed program: it is accepted and terminates, and it and its variants give the values of the
-    /// evaluator.
-    Execute,
-    /// The input is a case file: its reader returns cases or located errors.
-    CaseFile,
-    /// The input is the traffic of the wire protocol: every line is answered.
-    Protocol,
-    /// The input encodes a well-typed program: an engine named in the environment gives the values of the evaluator.
-    Differential,
+words! {
+    /// A question that random input is judged by. Its word names it on the command line, the folder of its corpus, and its binary in
+    /// the fuzz crate.
+    FuzzTarget {
+        /// The input is a source text: reading it neither fails nor hangs, and a readable text keeps its tree when it is
+        /// rendered.
+        Parse = "parse",
+        /// The input is a literal: its canonical spelling reads to the same value, which an independent reader finds too.
+        Literal = "literal",
+        /// The input encodes a function, operands and a dialect: the reference agrees with exact arithmetic.
+        Convert = "convert",
+        /// The input encodes a program with one planted error: the diagnostic has the planted code and line, and nothing else is
+        /// reported.
+        Check = "check",
+        /// The input encodes a well-typed program: it is accepted and terminates, and it and its variants give the values of the
+        /// evaluator.
+        Execute = "execute",
+        /// The input is a case file: its reader returns cases or located errors.
+        CaseFile = "case_file",
+        /// The input is the traffic of the wire protocol: every line is answered.
+        Protocol = "protocol",
+        /// The input encodes a well-typed program: an engine named in the environment gives the values of the evaluator.
+        Differential = "differential",
+    }
 }
 
 impl FuzzTarget {
-    /// Every target, in the order of presentation.
-    pub const ALL: [FuzzTarget; 8] = [
-        FuzzTarget::Parse,
-        FuzzTarget::Literal,
-        FuzzTarget::Convert,
-        FuzzTarget::Check,
-        FuzzTarget::Execute,
-        FuzzTarget::CaseFile,
-        FuzzTarget::Protocol,
-        FuzzTarget::Differential,
-    ];
-
-    /// Returns the name that the command line, the folders of the corpora and the binaries of the fuzz crate use.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            FuzzTarget::Parse => "parse",
-            FuzzTarget::Literal => "literal",
-            FuzzTarget::Convert => "convert",
-            FuzzTarget::Check => "check",
-            FuzzTarget::Execute => "execute",
-            FuzzTarget::CaseFile => "case_file",
-            FuzzTarget::Protocol => "protocol",
-            FuzzTarget::Differential => "differential",
-        }
-    }
-
-    /// Returns the target with a name, in lower case; `None` for any other text.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<FuzzTarget> {
-        FuzzTarget::ALL.into_iter().find(|target| target.name() == name)
-    }
-
     /// Judges one input; any bytes are an input.
     ///
     /// # Errors
@@ -105,14 +75,6 @@ fn panicked(payload: &(dyn Any + Send)) -> OracleFailure {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_target_is_found_by_its_name() {
-        for target in FuzzTarget::ALL {
-            assert_eq!(FuzzTarget::from_name(target.name()), Some(target));
-        }
-        assert_eq!(FuzzTarget::from_name("Parse"), None);
-    }
 
     #[test]
     fn a_panic_is_a_failure_with_its_message() {

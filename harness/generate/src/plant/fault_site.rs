@@ -81,9 +81,10 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         });
     }
 
-    /// Replaces the expression with a number, keeping its type field.
-    pub fn replace(&mut self, number: usize, kind: ExpressionKind) {
+    /// Replaces the expression with a number, keeping its type field. Always `Some`, as the result of a kind that is planted.
+    pub fn replace(&mut self, number: usize, kind: ExpressionKind) -> Option<()> {
         self.change(number, |expression| expression.kind = kind);
+        Some(())
     }
 
     /// Inserts a statement into a list that satisfies a predicate on its unit and on whether a loop encloses it.
@@ -155,7 +156,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
 
     /// Declares a variable after all others of a unit, which keep their numbers.
     pub fn declare(&mut self, unit: Unit, name: &str, ty: Type, section: VariableSection) -> Option<()> {
-        unit.variables_mut(&mut self.program)?.push(Variable {
+        unit.pou_mut(&mut self.program)?.variables.push(Variable {
             name: name.to_owned(),
             ty,
             section,
@@ -176,7 +177,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         let int = ElementaryType::Int;
         self.declare(unit, &last, Type::Elementary(int), section)?;
         if section == VariableSection::Constant {
-            let declared = unit.variables_mut(&mut self.program)?.last_mut()?;
+            let declared = unit.pou_mut(&mut self.program)?.variables.last_mut()?;
             declared.initial = Some(crate::model::InitialValue::Expression(literal(int)));
         }
         Some(())
@@ -214,7 +215,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
 
     /// Declares a local variable of an elementary type and returns its name.
     fn declare_variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<String> {
-        let variables = unit.variables_mut(&mut self.program)?;
+        let variables = &mut unit.pou_mut(&mut self.program)?.variables;
         let name = format!("{PLANTED}_{}", variables.len());
         self.declare(unit, &name, Type::Elementary(ty), VariableSection::Local)?;
         Some(name)
@@ -294,8 +295,7 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
             let value = Value::text(ty, vec![u16::from(b'a'), u16::from(b'b')]);
             return Expression::literal(ty, value, form);
         }
-        Family::Real if ty == ElementaryType::Real => u64::from(1.5f32.to_bits()),
-        Family::Real => 1.5f64.to_bits(),
+        Family::Real => ty.real_bits(1.5),
         Family::Character => u64::from(b'a'),
         Family::Duration | Family::TimeOfDay => SECOND,
         Family::Date | Family::DateAndTime => 0,

@@ -55,13 +55,16 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
         }
         ExpressionKind::Standard(function, arguments) => {
             let values = match function {
-                StandardFunction::Len => return own,
+                StandardFunction::Len | StandardFunction::Find => return own,
                 StandardFunction::Sel | StandardFunction::Mux => arguments.get(1..),
                 StandardFunction::Shl
                 | StandardFunction::Shr
                 | StandardFunction::Rol
-                | StandardFunction::Ror => arguments.get(..1),
+                | StandardFunction::Ror
+                | StandardFunction::Left
+                | StandardFunction::Right => arguments.get(..1),
                 StandardFunction::Abs
+                | StandardFunction::SquareRoot
                 | StandardFunction::Min
                 | StandardFunction::Max
                 | StandardFunction::Limit

@@ -1,11 +1,11 @@
 //! The places of a program where an error can be planted: every expression with its context, and every list of statements.
 
 use super::scope::{element_and_limits, written};
-use crate::model::visit_mut::bodies;
+use crate::model::visit_mut::{bodies, initial_values};
 use crate::model::{
     Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
-    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit,
-    Variable, VariableId, VariableSection,
+    Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit, Variable,
+    VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -98,10 +98,10 @@ pub(super) fn expressions(
         }
     }
     for unit in Unit::all(copy) {
-        if let Some((variables, body)) = unit.parts_mut(copy) {
+        if let Some(pou) = unit.pou_mut(copy) {
             walker.unit = unit;
-            walker.initial_values(variables);
-            walker.statements(body);
+            walker.initial_values(&mut pou.variables);
+            walker.statements(&mut pou.body);
         }
     }
 }
@@ -109,8 +109,8 @@ pub(super) fn expressions(
 /// Visits every list of statements, with whether it stands in a loop; outer lists before inner ones.
 pub(super) fn lists(copy: &mut Program, visit: &mut dyn FnMut(Unit, bool, &mut Vec<Statement>)) {
     for unit in Unit::all(copy) {
-        if let Some((_, body)) = unit.parts_mut(copy) {
-            list(unit, false, body, visit);
+        if let Some(pou) = unit.pou_mut(copy) {
+            list(unit, false, &mut pou.body, visit);
         }
     }
 }
@@ -147,18 +147,8 @@ impl<'p> SiteWalker<'p, '_> {
             .iter_mut()
             .filter_map(|variable| variable.initial.as_mut())
         {
-            match initial {
-                InitialValue::Expression(value) => self.expression(value, ExpressionContext::Initial),
-                InitialValue::Array(values) => {
-                    for value in values {
-                        self.expression(value, ExpressionContext::Initial);
-                    }
-                }
-                InitialValue::Structure(values) => {
-                    for (_, value) in values {
-                        self.expression(value, ExpressionContext::Initial);
-                    }
-                }
+            for value in initial_values(initial) {
+                self.expression(value, ExpressionContext::Initial);
             }
         }
     }
@@ -183,7 +173,8 @@ impl<'p> SiteWalker<'p, '_> {
             }
             Statement::If(branches, otherwise) => {
                 for (number, (condition, body)) in branches.iter_mut().enumerate() {
-                    let context = if number == 0 {
+                    let is_first = number == 0;
+                    let context = if is_first {
                         ExpressionContext::If
                     } else {
                         ExpressionContext::ElsIf
@@ -303,14 +294,10 @@ impl<'p> SiteWalker<'p, '_> {
             }
             ExpressionKind::Widen(operand) => self.inside(operand),
             ExpressionKind::Convert(signature, operand) => {
-                let own_name = signature
-                    .operands
-                    .first()
-                    .is_some_and(|from| signature.function == format!("{from}_TO_{}", signature.result));
-                let context = if own_name {
-                    ExpressionContext::Converted
-                } else {
-                    ExpressionContext::Overloaded
+                let is_named = |from| signature.function == format!("{from}_TO_{}", signature.result);
+                let context = match signature.operands.first().is_some_and(is_named) {
+                    true => ExpressionContext::Converted,
+                    false => ExpressionContext::Overloaded,
                 };
                 self.expression(operand, context);
             }

@@ -3,11 +3,10 @@
 use super::{Reader, named};
 use crate::generator::TypeContext;
 use crate::model::{
-    ArrayType, DeclaredKind, Function, FunctionBlock, InitialValue, MainPou, Type, TypeDeclaration, Variable,
-    VariableSection, subscripts,
+    ArrayType, DeclaredKind, InitialValue, Pou, Type, TypeDeclaration, Variable, VariableSection, subscripts,
 };
 use stickler_syntax::tree::{
-    self, Declaration, ExpressionId, Initializer, InitializerKind, Name, Pou, PouKind, TypeSpecification,
+    self, Declaration, ExpressionId, Initializer, InitializerKind, Name, PouKind, TypeSpecification,
     TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
@@ -95,7 +94,7 @@ impl<'t> Reader<'t> {
         declared.map(Type::Declared).or_else(|| block().map(Type::Block))
     }
 
-    fn pou(&mut self, pou: &'t Pou<'t>) -> Option<()> {
+    fn pou(&mut self, pou: &'t tree::Pou<'t>) -> Option<()> {
         if pou.is_object() {
             return None;
         }
@@ -109,22 +108,21 @@ impl<'t> Reader<'t> {
             self.function = Some((name.clone(), self.ty(result)?));
         }
         let body = self.statements(&pou.body)?;
-        let variables = std::mem::take(&mut self.variables);
-        match (pou.kind, self.function.take()) {
+        let read = Pou {
+            name,
+            result: self.function.take().map(|(_, result)| result),
+            variables: std::mem::take(&mut self.variables),
+            body,
+        };
+        match (pou.kind, &read.result) {
             (PouKind::Program, None) if pou.name.is("main") => {
-                self.program.main = MainPou { variables, body };
+                self.program.main = Pou {
+                    name: "main".to_owned(),
+                    ..read
+                };
             }
-            (PouKind::FunctionBlock, None) => self.program.blocks.push(FunctionBlock {
-                name,
-                variables,
-                body,
-            }),
-            (PouKind::Function, Some((name, result))) => self.program.functions.push(Function {
-                name,
-                result,
-                variables,
-                body,
-            }),
+            (PouKind::FunctionBlock, None) => self.program.blocks.push(read),
+            (PouKind::Function, Some(_)) => self.program.functions.push(read),
             _ => return None,
         }
         Some(())

@@ -57,10 +57,8 @@ impl Reader<'_> {
         if own.ty == *wanted {
             return Some(own);
         }
-        self.widens(&own.ty, wanted).then(|| Expression {
-            ty: wanted.clone(),
-            kind: ExpressionKind::Widen(Box::new(own)),
-        })
+        self.widens(&own.ty, wanted)
+            .then(|| Expression::widened(wanted.clone(), own))
     }
 
     fn widens(&self, from: &Type, into: &Type) -> bool {
@@ -102,6 +100,7 @@ impl Reader<'_> {
             } => self.binary(*operator, *left, *right),
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
+            | tree::ExpressionKind::Dereference { .. }
             | tree::ExpressionKind::Error => None,
         }
     }
@@ -281,7 +280,7 @@ impl Reader<'_> {
             read.push(Argument { parameter, value });
         }
         Some(Expression {
-            ty: self.program.unaliased(&called.result).clone(),
+            ty: self.program.unaliased(called.result.as_ref()?).clone(),
             kind: ExpressionKind::Call(function, read),
         })
     }
@@ -305,6 +304,9 @@ impl Reader<'_> {
             (S::Limit, all) if all.len() == 3 && alike(all) => all[0],
             (S::Shl | S::Shr | S::Rol | S::Ror, [ty, count]) if **count == INT => ty,
             (S::Len, [_]) => &INT,
+            (S::Left | S::Right, [ty, count]) if **count == INT => ty,
+            (S::Find, all) if all.len() == 2 && alike(all) => &INT,
+            (S::SquareRoot, [ty]) if matches!(ty, Type::Elementary(ty) if ty.is_real()) => ty,
             _ => return None,
         };
         Some(Expression {

@@ -71,7 +71,9 @@ impl Reader<'_> {
             }
             tree::StatementKind::Exit => Statement::Exit,
             tree::StatementKind::Return => Statement::Return,
-            tree::StatementKind::Continue | tree::StatementKind::Empty => return None,
+            tree::StatementKind::Binding { .. }
+            | tree::StatementKind::Continue
+            | tree::StatementKind::Empty => return None,
         })
     }
 

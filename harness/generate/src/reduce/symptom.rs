@@ -4,7 +4,7 @@
 use std::fmt;
 use std::str::FromStr;
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_types::{Code, Fault, Value};
+use stickler_types::{Code, Fault, Value, distinct};
 
 /// A way in which an engine deviates from the expected outcome.
 ///
@@ -47,17 +47,11 @@ impl OutcomeSymptom {
             (_, Outcome::Error { .. }) => OutcomeSymptom::Error,
             (_, Outcome::Unsupported { .. }) => return Vec::new(),
             (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
-            (_, Outcome::Rejected { .. }) => {
-                return rejections(got, code_or_message)
-                    .into_iter()
-                    .map(OutcomeSymptom::Rejected)
-                    .collect();
+            (_, Outcome::Rejected { diagnostics }) => {
+                return rejections(diagnostics, code_or_message, OutcomeSymptom::Rejected);
             }
-            (Outcome::Rejected { .. }, _) => {
-                return rejections(expected, code)
-                    .into_iter()
-                    .map(OutcomeSymptom::NotRejected)
-                    .collect();
+            (Outcome::Rejected { diagnostics }, _) => {
+                return rejections(diagnostics, code, OutcomeSymptom::NotRejected);
             }
             (Outcome::Faulted { fault, .. }, Outcome::Faulted { fault: other, .. }) if fault == other => {
                 return Vec::new();
@@ -156,22 +150,17 @@ fn differing_value(
     })
 }
 
-/// Returns the names of the diagnostics of a rejection, each once; one empty name if there is no diagnostic.
-fn rejections(outcome: &Outcome, name: fn(&Diagnostic) -> String) -> Vec<String> {
-    let diagnostics = match outcome {
-        Outcome::Rejected { diagnostics } => &diagnostics[..],
-        _ => &[],
-    };
-    let mut names = Vec::new();
-    for name in diagnostics.iter().map(name).filter(|name| !name.is_empty()) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
+/// Returns a symptom for each name of the diagnostics of a rejection; for an empty name if there is no diagnostic.
+fn rejections(
+    diagnostics: &[Diagnostic],
+    name: fn(&Diagnostic) -> String,
+    symptom: fn(String) -> OutcomeSymptom,
+) -> Vec<OutcomeSymptom> {
+    let mut names = distinct(diagnostics.iter().map(name).filter(|name| !name.is_empty()));
     if names.is_empty() {
         names.push(String::new());
     }
-    names
+    names.into_iter().map(symptom).collect()
 }
 
 /// Returns the code of a diagnostic; empty if it has none.
@@ -219,18 +208,12 @@ fn normalize_message(message: &str) -> String {
 
 /// Returns the symptoms of wrong and missing values, one for each type.
 fn values(expected: &[(String, Value)], got: &[(String, Value)]) -> Vec<OutcomeSymptom> {
-    let mut symptoms = Vec::new();
-    for (name, value) in expected {
-        let symptom = match got.iter().find(|(other, _)| other == name) {
-            Some((_, found)) if found == value => continue,
-            Some(_) => OutcomeSymptom::Value(value.type_name().to_owned()),
-            None => OutcomeSymptom::Missing(value.type_name().to_owned()),
-        };
-        if !symptoms.contains(&symptom) {
-            symptoms.push(symptom);
-        }
-    }
-    symptoms
+    let symptom = |(name, value): &(String, Value)| match got.iter().find(|(other, _)| other == name) {
+        Some((_, found)) if found == value => None,
+        Some(_) => Some(OutcomeSymptom::Value(value.type_name().to_owned())),
+        None => Some(OutcomeSymptom::Missing(value.type_name().to_owned())),
+    };
+    distinct(expected.iter().filter_map(symptom))
 }
 
 impl fmt::Display for OutcomeSymptom {

@@ -1,7 +1,7 @@
 //! The variant that exchanges the two sides of an IF.
 
 use super::loops::not;
-use super::walk::{each_body, lists};
+use super::walk::{each_pou, lists};
 use crate::model::{Program, Statement};
 use crate::random::Random;
 use std::mem;
@@ -10,8 +10,8 @@ use std::mem;
 /// changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    each_body(program, |body| {
-        lists(body.statements, &mut |list| {
+    each_pou(program, |pou| {
+        lists(&mut pou.body, &mut |list| {
             for statement in list {
                 let Statement::If(branches, otherwise) = statement else {
                     continue;

@@ -11,52 +11,26 @@ use crate::writer::{Style, write};
 pub(super) fn random_case(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
     let text = write(program, &Style::default()).text;
     let mut bits = random.bits() | 1;
-    let mut quoted = None;
+    // The quote that ends the character string, and whether a dollar precedes: a quote in a string follows one, or is written by
+    // its code.
+    let (mut quoted, mut escaped) = (None, false);
     let varied: String = text
         .chars()
-        .map(|letter| match quoted {
-            // A quote in a character string follows a dollar, or is written by its code; the writer spells it `$'`, and the state
-            // `Escaped` passes over it.
-            Some(QuoteState::Escaped(quote)) => {
-                quoted = Some(QuoteState::In(quote));
-                letter
+        .map(|letter| {
+            if let Some(quote) = quoted {
+                quoted = quoted.filter(|_| escaped || letter != quote);
+                escaped = !escaped && letter == '$';
+                return letter;
             }
-            Some(QuoteState::In(_)) if letter == '$' => {
-                quoted = quoted.map(QuoteState::escaped);
-                letter
+            quoted = matches!(letter, '\'' | '"').then_some(letter);
+            if quoted.is_some() {
+                return letter;
             }
-            Some(QuoteState::In(quote)) => {
-                if letter == quote {
-                    quoted = None;
-                }
-                letter
-            }
-            None if matches!(letter, '\'' | '"') => {
-                quoted = Some(QuoteState::In(letter));
-                letter
-            }
-            None => {
-                bits = bits.rotate_left(1);
-                in_case(letter, bits & 1 == 1)
-            }
+            bits = bits.rotate_left(1);
+            in_case(letter, bits & 1 == 1)
         })
         .collect();
     (varied != text).then_some(varied)
-}
-
-/// The position of the scanner in a character string: inside it, or after a dollar sign; holds the quote that ends it.
-#[derive(Clone, Copy)]
-enum QuoteState {
-    In(char),
-    Escaped(char),
-}
-
-impl QuoteState {
-    const fn escaped(self) -> QuoteState {
-        match self {
-            QuoteState::In(quote) | QuoteState::Escaped(quote) => QuoteState::Escaped(quote),
-        }
-    }
 }
 
 const fn in_case(letter: char, lower: bool) -> char {

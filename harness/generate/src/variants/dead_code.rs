@@ -1,6 +1,6 @@
 //! Dead code: statements that are never reached or change nothing, and variables that are never read.
 
-use super::walk::{FreeNames, each_body, has_loose_exit, lists, variable};
+use super::walk::{FreeNames, each_pou, has_loose_exit, lists, variable};
 use crate::model::{
     AssignmentTarget, Expression, LiteralForm, Place, Program, Statement, Type, Variable, VariableId,
     VariableSection,
@@ -13,14 +13,14 @@ use stickler_types::{ElementaryType, Value};
 pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    each_body(program, |mut body| {
-        body.add(variable(
+    each_pou(program, |pou| {
+        pou.declare(variable(
             names.next("unread"),
             Type::Elementary(ElementaryType::Lword),
             VariableSection::Local,
         ));
-        let settled = settled_variables(body.variables, body.statements);
-        lists(body.statements, &mut |list| {
+        let settled = settled_variables(&pou.variables, &mut pou.body);
+        lists(&mut pou.body, &mut |list| {
             let mut longer = Vec::with_capacity(list.len());
             for statement in list.drain(..) {
                 if !random.chance(1, 2)
@@ -33,16 +33,11 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             }
             *list = longer;
         });
-        body.statements.push(Statement::Return);
+        pou.body.push(Statement::Return);
         // Statements after the last RETURN are never reached.
-        if let Some(first) = body
-            .statements
-            .first()
-            .filter(|first| !has_loose_exit(std::slice::from_ref(*first)))
-        {
-            let first = first.clone();
-            body.statements.push(first);
-        }
+        let first = pou.body.first().cloned();
+        pou.body
+            .extend(first.filter(|first| !has_loose_exit(std::slice::from_ref(first))));
         count += 1;
     });
     count

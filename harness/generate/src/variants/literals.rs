@@ -1,6 +1,6 @@
 //! Literals moved to variables and constants, or written with their types.
 
-use super::walk::{FreeNames, each_body, expressions, variable};
+use super::walk::{FreeNames, each_pou, expressions, variable};
 use crate::model::{
     Expression, ExpressionKind, InitialValue, LiteralForm, Place, Program, Variable, VariableId,
     VariableSection,
@@ -14,10 +14,10 @@ use crate::random::Random;
 pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    each_body(program, |body| {
+    each_pou(program, |pou| {
         let mut added: Vec<Variable> = Vec::new();
-        let first = body.variables.len();
-        expressions(body.statements, &mut |expression| {
+        let first = pou.variables.len();
+        expressions(&mut pou.body, &mut |expression| {
             let is_value = matches!(
                 expression.kind,
                 ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_)
@@ -42,7 +42,7 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
             });
         });
         count += added.len();
-        body.variables.append(&mut added);
+        pou.variables.append(&mut added);
     });
     count
 }
@@ -50,8 +50,8 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
 /// Writes some untyped literals with their type. Returns the number of changes.
 pub(super) fn type_all(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    each_body(program, |body| {
-        expressions(body.statements, &mut |expression| {
+    each_pou(program, |pou| {
+        expressions(&mut pou.body, &mut |expression| {
             if let ExpressionKind::Literal(_, form @ LiteralForm::Untyped) = &mut expression.kind
                 && !random.chance(1, 4)
             {

@@ -1,6 +1,6 @@
 //! Loops: FOR unrolled, and the first iteration of the others peeled off.
 
-use super::walk::{each_body, has_loose_exit, lists};
+use super::walk::{each_pou, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
 use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type,
@@ -18,9 +18,9 @@ const MAX_ADDED_STATEMENTS: usize = 400;
 pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     let mut spent = 0;
-    each_body(program, |body| {
-        let variables = &*body.variables;
-        lists(body.statements, &mut |list| {
+    each_pou(program, |pou| {
+        let variables = &pou.variables;
+        lists(&mut pou.body, &mut |list| {
             let mut unrolled = Vec::with_capacity(list.len());
             for statement in list.drain(..) {
                 match unrolled_loop(&statement, variables) {
@@ -102,10 +102,7 @@ fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement 
 
 /// Creates `NOT condition`.
 pub(super) fn not(condition: &Expression) -> Expression {
-    Expression {
-        ty: condition.ty.clone(),
-        kind: ExpressionKind::Unary(UnaryOperator::Not, Box::new(condition.clone())),
-    }
+    Expression::unary(UnaryOperator::Not, condition.clone())
 }
 
 /// Counts statements, including those inside them.

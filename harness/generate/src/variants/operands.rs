@@ -1,9 +1,9 @@
 //! Operands in reverse order, or in variables of their own.
 
-use super::walk::{Body, FreeNames, each_body, expressions, lists, variable};
+use super::walk::{FreeNames, each_pou, expressions, lists, variable};
 use crate::model::visit_mut::operands;
 use crate::model::{
-    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Program, Statement, VariableId,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Pou, Program, Statement, VariableId,
     VariableSection,
 };
 use crate::random::Random;
@@ -28,8 +28,8 @@ const fn mirrored(operator: BinaryOperator) -> Option<BinaryOperator> {
 /// Exchanges the operands of some operators. Returns the number of changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    each_body(program, |body| {
-        expressions(body.statements, &mut |expression| {
+    each_pou(program, |pou| {
+        expressions(&mut pou.body, &mut |expression| {
             if let ExpressionKind::Binary(operator, left, right) = &mut expression.kind
                 && let Some(other) = mirrored(*operator)
                 && !random.chance(1, 3)
@@ -51,15 +51,15 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
 pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    each_body(program, |mut body| {
-        let mut statements = mem::take(body.statements);
+    each_pou(program, |pou| {
+        let mut statements = mem::take(&mut pou.body);
         lists(&mut statements, &mut |list| {
             let mut split = Vec::with_capacity(list.len());
             for mut statement in list.drain(..) {
                 if let Statement::Assign(_, value) = &mut statement {
                     for operand in operands(value) {
                         if is_worth_a_variable(operand) && !random.chance(1, 3) {
-                            split.push(separate(operand, &mut body, &mut names));
+                            split.push(separate(operand, pou, &mut names));
                             count += 1;
                         }
                     }
@@ -68,7 +68,7 @@ pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize
             }
             *list = split;
         });
-        *body.statements = statements;
+        pou.body = statements;
     });
     count
 }
@@ -81,9 +81,9 @@ const fn is_worth_a_variable(operand: &Expression) -> bool {
 }
 
 /// Creates the assignment of an operand to a new variable, and replaces the operand by the variable.
-fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames) -> Statement {
+fn separate(operand: &mut Expression, pou: &mut Pou, names: &mut FreeNames) -> Statement {
     let ty = operand.ty.clone();
-    let id: VariableId = body.add(variable(names.next("part"), ty.clone(), VariableSection::Local));
+    let id: VariableId = pou.declare(variable(names.next("part"), ty.clone(), VariableSection::Local));
     let read = Expression::read(Place::whole(id, ty.clone()));
     let value = mem::replace(operand, read);
     Statement::Assign(AssignmentTarget::Place(Place::whole(id, ty)), value)

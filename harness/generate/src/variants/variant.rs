@@ -3,7 +3,7 @@
 use super::{branches, capitals, dead_code, literals, loops, operands};
 use crate::model::Program;
 use crate::random::Random;
-use crate::writer::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write};
+use crate::writer::{Keywords, Style, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
 use stickler_types::words;
@@ -64,15 +64,15 @@ impl Variant {
                 style.comments = true;
                 style.seed = random.bits();
             }
-            Variant::LineEnds => style.line_ends = LineEnds::CrLf,
+            Variant::LineEnds => style.carriage_returns = true,
             Variant::Notation => {
-                style.notation = Notation::Varied;
+                style.varied_notation = true;
                 style.seed = random.bits();
             }
-            Variant::Bits if program.dialect.rules().documents.partial_access => style.bits = Bits::Percent,
+            Variant::Bits if program.dialect.rules().documents.partial_access => style.percent_bits = true,
             Variant::Bits => return None,
-            Variant::ExplicitConversions => style.widening = WideningForm::Explicit,
-            Variant::NamedArguments => style.arguments = ArgumentForm::Named,
+            Variant::ExplicitConversions => style.explicit_conversions = true,
+            Variant::NamedArguments => style.named_arguments = true,
             Variant::Capitals => return capitals::random_case(program, &mut random),
             Variant::ConstantsHoisted => return changed(program, &mut random, literals::hoist),
             Variant::TypedLiterals => return changed(program, &mut random, literals::type_all),
@@ -102,9 +102,8 @@ fn changed(
 /// Renders the text of a program, written in one notation or the other, by the renderer of the reference. If the renderer
 /// refuses, the result is no program, and whoever runs it will report so.
 fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
-    let notations = [Notation::Canonical, Notation::Varied];
     let style = Style {
-        notation: random.pick(&notations).copied().unwrap_or_default(),
+        varied_notation: random.pick(&[false, true]).copied().unwrap_or_default(),
         seed: random.bits(),
         ..Style::default()
     };

@@ -2,32 +2,15 @@
 
 use crate::model::visit_mut::{self, VisitorMut, walk_expression, walk_statements};
 use crate::model::{
-    DeclaredKind, Expression, Program, Statement, Type, Unit, Variable, VariableId, VariableSection, visit,
+    DeclaredKind, Expression, Pou, Program, Statement, Type, Unit, Variable, VariableSection, visit,
 };
 use std::collections::HashSet;
 
-/// The variables and statements of a function, a function block or the main program.
-pub(super) struct Body<'p> {
-    pub variables: &'p mut Vec<Variable>,
-    pub statements: &'p mut Vec<Statement>,
-}
-
-impl Body<'_> {
-    /// Adds a variable after all others.
-    pub fn add(&mut self, variable: Variable) -> VariableId {
-        self.variables.push(variable);
-        VariableId(self.variables.len() - 1)
-    }
-}
-
-/// Calls a function with each body of a program.
-pub(super) fn each_body(program: &mut Program, mut visit: impl FnMut(Body<'_>)) {
+/// Calls a function with each unit of a program that has statements.
+pub(super) fn each_pou(program: &mut Program, mut visit: impl FnMut(&mut Pou)) {
     for unit in Unit::all(program) {
-        if let Some((variables, statements)) = unit.parts_mut(program) {
-            visit(Body {
-                variables,
-                statements,
-            });
+        if let Some(pou) = unit.pou_mut(program) {
+            visit(pou);
         }
     }
 }
@@ -50,12 +33,12 @@ impl FreeNames {
                 names.iter().for_each(|name| take(name));
             }
         }
-        program.functions.iter().for_each(|function| take(&function.name));
-        program.blocks.iter().for_each(|block| take(&block.name));
-        for unit in Unit::all(program) {
-            unit.variables(program)
-                .iter()
-                .for_each(|variable| take(&variable.name));
+        for pou in Unit::all(program)
+            .into_iter()
+            .filter_map(|unit| unit.pou(program))
+        {
+            take(&pou.name);
+            pou.variables.iter().for_each(|variable| take(&variable.name));
         }
         FreeNames { taken, next: 0 }
     }

@@ -1,10 +1,9 @@
 //! Writing of types, variables, POUs, and the whole text.
 
 use super::source_writer::SourceWriter;
-use super::statements::PouText;
 use super::style::Style;
 use crate::model::{
-    DeclaredKind, InitialValue, Program, Statement, Type, TypeDeclaration, Variable, VariableSection,
+    DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable, VariableSection,
 };
 
 /// The text of a program.
@@ -22,29 +21,16 @@ pub struct WrittenProgram {
 pub fn write(program: &Program, style: &Style) -> WrittenProgram {
     let mut writer = SourceWriter::new(program, *style);
     writer.types(&program.types);
-    for function in &program.functions {
-        writer.word("FUNCTION");
-        writer.blank();
-        writer.put(&function.name);
-        writer.between_blanks(":");
-        writer.type_name(&function.result);
-        writer.pou(
-            &function.variables,
-            &function.body,
-            &function.name,
-            "END_FUNCTION",
-        );
+    for unit in Unit::all(program) {
+        let keyword = match unit {
+            Unit::Function(_) => "FUNCTION",
+            Unit::Block(_) => "FUNCTION_BLOCK",
+            Unit::Main | Unit::Types => "PROGRAM",
+        };
+        if let Some(pou) = unit.pou(program) {
+            writer.pou(keyword, pou);
+        }
     }
-    for block in &program.blocks {
-        writer.word("FUNCTION_BLOCK");
-        writer.blank();
-        writer.put(&block.name);
-        writer.pou(&block.variables, &block.body, &block.name, "END_FUNCTION_BLOCK");
-    }
-    writer.word("PROGRAM");
-    writer.blank();
-    writer.put("main");
-    writer.pou(&program.main.variables, &program.main.body, "main", "END_PROGRAM");
     WrittenProgram {
         text: writer.text,
         raw_lines: writer.raw_lines,
@@ -52,24 +38,25 @@ pub fn write(program: &Program, style: &Style) -> WrittenProgram {
 }
 
 impl<'p> SourceWriter<'p> {
-    /// Writes the variables, the statements and the end of a POU.
-    fn pou(&mut self, variables: &'p [Variable], body: &'p [Statement], name: &'p str, end: &str) {
-        for section in variables.chunk_by(|one, next| one.section == next.section) {
-            self.section(section, variables);
+    fn pou(&mut self, keyword: &str, pou: &'p Pou) {
+        self.pou = pou;
+        self.word(keyword);
+        self.blank();
+        self.put(&pou.name);
+        if let Some(result) = &pou.result {
+            self.between_blanks(":");
+            self.type_name(result);
         }
-        self.statements(
-            body,
-            PouText {
-                variables,
-                result: name,
-            },
-        );
+        for section in pou.variables.chunk_by(|one, next| one.section == next.section) {
+            self.section(section);
+        }
+        self.statements(&pou.body);
         self.new_line();
-        self.word(end);
+        self.word(&format!("END_{keyword}"));
         self.new_line();
     }
 
-    fn section(&mut self, declared: &[Variable], variables: &[Variable]) {
+    fn section(&mut self, declared: &[Variable]) {
         let Some(first) = declared.first() else { return };
         self.new_line();
         self.word(match first.section {
@@ -87,7 +74,7 @@ impl<'p> SourceWriter<'p> {
             self.type_name(&variable.ty);
             if let Some(initial) = &variable.initial {
                 self.between_blanks(":=");
-                self.initial(initial, &variable.ty, variables);
+                self.initial(initial, &variable.ty);
             }
             self.put(";");
         }
@@ -96,12 +83,12 @@ impl<'p> SourceWriter<'p> {
         self.word("END_VAR");
     }
 
-    fn initial(&mut self, initial: &InitialValue, ty: &Type, variables: &[Variable]) {
+    fn initial(&mut self, initial: &InitialValue, ty: &Type) {
         match initial {
-            InitialValue::Expression(value) => self.expression(value, variables),
+            InitialValue::Expression(value) => self.expression(value),
             InitialValue::Array(values) => {
                 self.put("[");
-                self.list(values, |writer, value| writer.expression(value, variables));
+                self.list(values, |writer, value| writer.expression(value));
                 self.put("]");
             }
             InitialValue::Structure(values) => {
@@ -112,7 +99,7 @@ impl<'p> SourceWriter<'p> {
                         writer.put(name);
                     }
                     writer.between_blanks(":=");
-                    writer.expression(value, variables);
+                    writer.expression(value);
                 });
                 self.put(")");
             }
@@ -176,7 +163,7 @@ impl<'p> SourceWriter<'p> {
                     self.type_name(ty);
                     if let Some(initial) = initial {
                         self.between_blanks(":=");
-                        self.expression(initial, &[]);
+                        self.expression(initial);
                     }
                     self.put(";");
                 }

@@ -2,10 +2,9 @@
 
 use super::literals::begins_with_minus;
 use super::source_writer::SourceWriter;
-use super::style::{ArgumentForm, Bits, WideningForm};
 use crate::model::{
-    Argument, BinaryOperator, DeclaredKind, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
-    Type, UnaryOperator, Variable,
+    Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Type,
+    UnaryOperator, Variable,
 };
 use stickler_exact::signatures;
 
@@ -40,39 +39,32 @@ const fn operator_strength(operator: BinaryOperator) -> u8 {
 }
 
 impl SourceWriter<'_> {
-    /// Writes an expression in the POU that declares `variables`.
-    pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
+    /// Writes an expression .
+    pub fn expression(&mut self, expression: &Expression) {
         match &expression.kind {
             ExpressionKind::Literal(value, form) => self.literal(value, *form),
             ExpressionKind::Enumerated(which) => self.enumerated(&expression.ty, *which),
-            ExpressionKind::Read(place) => self.place(place, variables),
-            ExpressionKind::Bit(place, bit) => self.bit(place, *bit, variables),
-            ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand, variables),
-            ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right, variables),
-            ExpressionKind::Widen(operand) => self.widened(&expression.ty, operand, variables),
+            ExpressionKind::Read(place) => self.place(place),
+            ExpressionKind::Bit(place, bit) => self.bit(place, *bit),
+            ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand),
+            ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right),
+            ExpressionKind::Widen(operand) => self.widened(&expression.ty, operand),
             ExpressionKind::Convert(signature, operand) => {
-                self.call(&signature.function, [&**operand], variables);
+                self.call(&signature.function, [&**operand]);
             }
-            ExpressionKind::Call(function, arguments) => self.function(*function, arguments, variables),
+            ExpressionKind::Call(function, arguments) => self.function(*function, arguments),
             ExpressionKind::Standard(function, arguments) => {
-                self.call(function.as_str(), arguments, variables);
+                self.call(function.as_str(), arguments);
             }
             ExpressionKind::Raw(text) => self.raw(text),
         }
     }
 
     /// Writes a call of a function that the language defines.
-    fn call<'e>(
-        &mut self,
-        name: &str,
-        arguments: impl IntoIterator<Item = &'e Expression>,
-        variables: &[Variable],
-    ) {
+    fn call<'e>(&mut self, name: &str, arguments: impl IntoIterator<Item = &'e Expression>) {
         self.word(name);
         self.put("(");
-        self.list(arguments, |writer, argument| {
-            writer.expression(argument, variables)
-        });
+        self.list(arguments, |writer, argument| writer.expression(argument));
         self.put(")");
     }
 
@@ -92,19 +84,19 @@ impl SourceWriter<'_> {
     }
 
     /// Writes a call of a function of the program.
-    fn function(&mut self, function: usize, arguments: &[Argument], variables: &[Variable]) {
+    fn function(&mut self, function: usize, arguments: &[Argument]) {
         let Some(called) = self.program.functions.get(function) else {
             return;
         };
         // Only a call with names can omit inputs.
-        let named = self.style.arguments == ArgumentForm::Named || arguments.len() < called.inputs().count();
+        let named = self.style.named_arguments || arguments.len() < called.inputs().count();
         self.put(&called.name);
         self.put("(");
         self.list(arguments, |writer, argument| {
             if named {
                 writer.parameter(&called.variables, argument);
             }
-            writer.expression(&argument.value, variables);
+            writer.expression(&argument.value);
         });
         self.put(")");
     }
@@ -117,7 +109,7 @@ impl SourceWriter<'_> {
         }
     }
 
-    fn unary(&mut self, operator: UnaryOperator, operand: &Expression, variables: &[Variable]) {
+    fn unary(&mut self, operator: UnaryOperator, operand: &Expression) {
         match operator {
             UnaryOperator::Negate => self.put("-"),
             UnaryOperator::Not => {
@@ -126,26 +118,20 @@ impl SourceWriter<'_> {
             }
         }
         // Two adjacent signs are not valid in the standard.
-        self.operand(operand, OPERAND, variables);
+        self.operand(operand, OPERAND);
     }
 
-    fn binary(
-        &mut self,
-        operator: BinaryOperator,
-        left: &Expression,
-        right: &Expression,
-        variables: &[Variable],
-    ) {
+    fn binary(&mut self, operator: BinaryOperator, left: &Expression, right: &Expression) {
         let own = operator_strength(operator);
         // Comparisons of comparisons read badly, and some compilers have no rule for them.
         let left_needs = if (4..=5).contains(&own) { 6 } else { own };
-        self.operand(left, left_needs, variables);
+        self.operand(left, left_needs);
         self.between_blanks(operator.as_str());
-        self.operand(right, (own + 1).max(left_needs), variables);
+        self.operand(right, (own + 1).max(left_needs));
     }
 
     /// Writes an operand, in parentheses unless its precedence is at least `needed`.
-    fn operand(&mut self, operand: &Expression, needed: u8, variables: &[Variable]) {
+    fn operand(&mut self, operand: &Expression, needed: u8) {
         // An implicit conversion is spelled as its operand; an untyped minus at the left end of a product is also safer inside.
         let mut seen = operand;
         while let (ExpressionKind::Widen(inner), true) = (&seen.kind, self.stays_implicit(seen)) {
@@ -153,18 +139,18 @@ impl SourceWriter<'_> {
         }
         let bare_minus = matches!(&seen.kind, ExpressionKind::Literal(..)) && strength(&seen.kind) == UNARY;
         if strength(&seen.kind) >= needed && !bare_minus {
-            self.expression(operand, variables);
+            self.expression(operand);
         } else {
             self.put("(");
-            self.expression(operand, variables);
+            self.expression(operand);
             self.put(")");
         }
     }
 
-    fn widened(&mut self, into: &Type, operand: &Expression, variables: &[Variable]) {
+    fn widened(&mut self, into: &Type, operand: &Expression) {
         match self.spelled_conversion(into, operand) {
-            Some(function) => self.call(&function, [operand], variables),
-            None => self.expression(operand, variables),
+            Some(function) => self.call(&function, [operand]),
+            None => self.expression(operand),
         }
     }
 
@@ -180,7 +166,7 @@ impl SourceWriter<'_> {
         let (&Type::Elementary(from), &Type::Elementary(into)) = (&operand.ty, into) else {
             return None;
         };
-        if self.style.widening == WideningForm::Implicit {
+        if !self.style.explicit_conversions {
             return None;
         }
         let name = format!("{from}_TO_{into}");
@@ -188,34 +174,31 @@ impl SourceWriter<'_> {
     }
 
     fn enumerated(&mut self, ty: &Type, which: usize) {
-        let Type::Declared(declared) = ty else { return };
-        let declaration = self.program.types.get(*declared);
-        if let Some(DeclaredKind::Enumeration(names)) = declaration.map(|declaration| &declaration.kind)
-            && let Some(name) = names.get(which)
+        if let Some(name) = self
+            .program
+            .enumerated_values(ty)
+            .and_then(|names| names.get(which))
         {
             self.put(name);
         }
     }
 
     /// Writes a bit of a place.
-    pub fn bit(&mut self, place: &Place, bit: u32, variables: &[Variable]) {
-        self.place(place, variables);
-        self.put(match self.style.bits {
-            Bits::Short => ".",
-            Bits::Percent => ".%X",
-        });
+    pub fn bit(&mut self, place: &Place, bit: u32) {
+        self.place(place);
+        self.put(if self.style.percent_bits { ".%X" } else { "." });
         self.put(&bit.to_string());
     }
 
     /// Writes a variable with its selectors.
-    pub fn place(&mut self, place: &Place, variables: &[Variable]) {
-        let Some(variable) = variables.get(place.variable.0) else {
+    pub fn place(&mut self, place: &Place) {
+        let Some(variable) = self.variable(place.variable) else {
             return;
         };
         self.put(&variable.name);
         let mut within = &variable.ty;
         for selector in &place.path {
-            let Some(selected) = self.selected(within, selector, variables) else {
+            let Some(selected) = self.selected(within, selector) else {
                 return;
             };
             within = selected;
@@ -223,12 +206,7 @@ impl SourceWriter<'_> {
     }
 
     /// Writes one selector and returns the type of the selected part.
-    fn selected<'t>(
-        &mut self,
-        within: &'t Type,
-        selector: &PlaceSelector,
-        variables: &[Variable],
-    ) -> Option<&'t Type>
+    fn selected<'t>(&mut self, within: &'t Type, selector: &PlaceSelector) -> Option<&'t Type>
     where
         Self: 't,
     {
@@ -236,20 +214,13 @@ impl SourceWriter<'_> {
         match selector {
             PlaceSelector::Index(subscripts) => {
                 self.put("[");
-                self.list(subscripts, |writer, subscript| {
-                    writer.expression(subscript, variables)
-                });
+                self.list(subscripts, |writer, subscript| writer.expression(subscript));
                 self.put("]");
-                match program.unaliased(within) {
-                    Type::Array(array) => Some(&array.element),
-                    _ => None,
-                }
             }
             PlaceSelector::Field(field) => {
-                let (name, ty, _) = program.fields(within)?.get(*field)?;
+                let (name, ..) = program.fields(within)?.get(*field)?;
                 self.put(".");
                 self.put(name);
-                Some(ty)
             }
             PlaceSelector::Output(output) => {
                 let Type::Block(block) = within else {
@@ -258,8 +229,8 @@ impl SourceWriter<'_> {
                 let variable = program.blocks.get(*block)?.variables.get(output.0)?;
                 self.put(".");
                 self.put(&variable.name);
-                Some(&variable.ty)
             }
         }
+        program.selected_type(within, selector)
     }
 }

@@ -2,7 +2,6 @@
 
 use super::notation::long_prefix;
 use super::source_writer::SourceWriter;
-use super::style::Notation;
 use crate::model::LiteralForm;
 use std::fmt::Write as _;
 use stickler_types::{ElementaryType, Family, Value};
@@ -24,7 +23,7 @@ impl SourceWriter<'_> {
         };
         let mut spelled = self.text.split_off(sign);
         self.text.truncate(start);
-        let varied = self.style.notation == Notation::Varied;
+        let varied = self.style.varied_notation;
         if varied && let Some(other) = self.other_notation(value, form) {
             spelled = format!("#{other}");
         }
@@ -60,7 +59,7 @@ impl SourceWriter<'_> {
 pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
     match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-        Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
     }
 }
 

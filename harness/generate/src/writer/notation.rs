@@ -20,25 +20,20 @@ impl SourceWriter<'_> {
                 _ => None,
             },
             Value::Text { units, ty } => other_text(units, *ty, choice),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
         }
     }
 
     /// Spells a real with an exponent; or without a point, where the dialect takes a bare integer literal for a real.
     fn other_real(&self, ty: ElementaryType, raw: u64, form: LiteralForm, choice: usize) -> Option<String> {
-        let single = f32::from_bits(raw as u32);
-        let number = if ty == ElementaryType::Real {
-            f64::from(single)
-        } else {
-            f64::from_bits(raw)
-        };
+        let number = ty.real_value(raw)?;
         // Integers up to here are numbers of either type, and no document states the value of longer ones.
         let is_whole = number.fract() == 0.0 && number.abs() < 16_777_216.0 && number.is_sign_positive();
         if choice.is_multiple_of(2) && is_whole && form == LiteralForm::Untyped && self.takes_whole_reals() {
             return Some(format!("{number}"));
         }
         let mut text = if ty == ElementaryType::Real {
-            format!("{single:E}")
+            format!("{:E}", number as f32)
         } else {
             format!("{number:E}")
         };

@@ -1,12 +1,14 @@
 //! The text under construction: keywords in the case of the style, lines, indents, blanks with comments.
 
-use super::style::{Keywords, LineEnds, Style};
-use crate::model::Program;
+use super::style::{Keywords, Style};
+use crate::model::{Pou, Program, Variable, VariableId};
 use stickler_types::SplitMix64;
 
 /// The text so far, and the state that determines its continuation.
 pub(super) struct SourceWriter<'p> {
     pub program: &'p Program,
+    /// The POU that is written; main, which writes nothing in types.
+    pub pou: &'p Pou,
     pub style: Style,
     pub text: String,
     pub raw_lines: Vec<u32>,
@@ -35,6 +37,7 @@ impl<'p> SourceWriter<'p> {
     pub fn new(program: &'p Program, style: Style) -> SourceWriter<'p> {
         SourceWriter {
             program,
+            pou: &program.main,
             style,
             // A mean program has about this many bytes, so the text rarely moves.
             text: String::with_capacity(4096),
@@ -43,6 +46,11 @@ impl<'p> SourceWriter<'p> {
             indent: 0,
             random: SplitMix64::new(style.seed),
         }
+    }
+
+    /// Returns a variable of the POU.
+    pub fn variable(&self, id: VariableId) -> Option<&'p Variable> {
+        self.pou.variables.get(id.0)
     }
 
     /// Appends text unchanged.
@@ -129,10 +137,8 @@ impl<'p> SourceWriter<'p> {
     }
 
     fn end_line(&mut self) {
-        self.text.push_str(match self.style.line_ends {
-            LineEnds::Lf => "\n",
-            LineEnds::CrLf => "\r\n",
-        });
+        self.text
+            .push_str(if self.style.carriage_returns { "\r\n" } else { "\n" });
         self.line += 1;
     }
 

@@ -10,19 +10,21 @@ pub struct Style {
     pub keywords: Keywords,
     /// Whether comments `(* … *)` stand where blanks stand; they do not nest.
     pub comments: bool,
-    /// The characters that end a line.
-    pub line_ends: LineEnds,
-    /// The form of bit access; only some dialects know the longer form.
-    pub bits: Bits,
-    /// Whether an implicit conversion is spelled by the function that does the same. Where the dialect has no such function,
-    /// it stays implicit.
-    pub widening: WideningForm,
-    /// The form of arguments in calls of functions of the program. Function blocks are always called with names.
-    pub arguments: ArgumentForm,
-    /// The notation of literals.
-    pub notation: Notation,
+    /// Whether a line ends with a carriage return and a line feed, and not with a line feed alone.
+    pub carriage_returns: bool,
+    /// Whether a bit is selected by `word.%X3` and not by `word.3`; only some dialects know the longer form.
+    pub percent_bits: bool,
+    /// Whether an implicit conversion is spelled by the function that does the same: `INT_TO_DINT(i)`. Where the dialect has
+    /// no such function, it stays implicit.
+    pub explicit_conversions: bool,
+    /// Whether calls of functions of the program have named arguments, `f(a := 1, b := 2)`. Calls of function blocks and calls
+    /// that leave out inputs have names all the same.
+    pub named_arguments: bool,
+    /// Whether literals have other notations than the canonical one: `16#FF`, `2#1111_1111`, `1.0E2`, `T#1m30s`,
+    /// `'$69t$27s'`. Labels of CASE stay as they are.
+    pub varied_notation: bool,
     /// The seed that determines where comments stand, the case of each letter of [`Keywords::Mixed`], and the notation of
-    /// each literal of [`Notation::Varied`].
+    /// each varied literal.
     pub seed: u64,
 }
 
@@ -36,54 +38,4 @@ pub enum Keywords {
     Lower,
     /// `eNd_IF`
     Mixed,
-}
-
-/// The end of a line.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum LineEnds {
-    /// A line feed.
-    #[default]
-    Lf,
-    /// A carriage return and a line feed.
-    CrLf,
-}
-
-/// The selection of a bit.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Bits {
-    /// `word.3`
-    #[default]
-    Short,
-    /// `word.%X3`
-    Percent,
-}
-
-/// An implicit conversion.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum WideningForm {
-    /// `i`, where a DINT is expected.
-    #[default]
-    Implicit,
-    /// `INT_TO_DINT(i)`
-    Explicit,
-}
-
-/// The arguments of a function's call.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum ArgumentForm {
-    /// `f(1, 2)`; a call that leaves out inputs has names all the same.
-    #[default]
-    Positional,
-    /// `f(a := 1, b := 2)`
-    Named,
-}
-
-/// The notation of literals.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Notation {
-    /// `255`, `16#00FF`, `100.0`, `T#90000ms`, `'it$'s'`
-    #[default]
-    Canonical,
-    /// `16#FF`, `2#1111_1111`, `1.0E2`, `T#1m30s`, `'$69t$27s'`; labels of CASE stay as they are.
-    Varied,
 }

@@ -2,9 +2,7 @@
 //! recorded.
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{AssignmentTarget, Expression, ExpressionKind, Program, Statement};
-use stickler_generate::writer::{
-    ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write,
-};
+use stickler_generate::writer::{Keywords, Style, write};
 use stickler_types::{DialectName, Value};
 
 fn made(dialect: DialectName, seed: u8) -> Program {
@@ -28,15 +26,15 @@ fn styles(dialect: DialectName) -> Vec<Style> {
         |style| style.keywords = Keywords::Lower,
         |style| (style.keywords, style.seed) = (Keywords::Mixed, 7),
         |style| (style.comments, style.seed) = (true, 3),
-        |style| (style.comments, style.line_ends, style.seed) = (true, LineEnds::CrLf, 4),
-        |style| style.notation = Notation::Varied,
-        |style| (style.notation, style.seed) = (Notation::Varied, 1),
-        |style| style.widening = WideningForm::Explicit,
-        |style| style.arguments = ArgumentForm::Named,
+        |style| (style.comments, style.carriage_returns, style.seed) = (true, true, 4),
+        |style| style.varied_notation = true,
+        |style| (style.varied_notation, style.seed) = (true, 1),
+        |style| style.explicit_conversions = true,
+        |style| style.named_arguments = true,
     ];
     let mut styles = changes.map(with).to_vec();
     if matches!(dialect, DialectName::IRONPLC_ED3 | DialectName::IRONPLC_RUSTY) {
-        styles.push(with(|style| style.bits = Bits::Percent));
+        styles.push(with(|style| style.percent_bits = true));
     }
     styles
 }
@@ -81,7 +79,7 @@ fn a_style_changes_the_text() {
     let lower = written(|style| style.keywords = Keywords::Lower);
     assert_ne!(canonical, lower);
     assert!(canonical.eq_ignore_ascii_case(&lower));
-    let ends = written(|style| style.line_ends = LineEnds::CrLf);
+    let ends = written(|style| style.carriage_returns = true);
     assert_eq!(ends.replace("\r\n", "\n"), canonical);
     assert!(written(|style| style.comments = true).contains("(*"));
 }
@@ -101,7 +99,7 @@ fn the_lines_of_raw_text_are_remembered() {
     };
     let assigned = Statement::Assign(AssignmentTarget::Place(target), value);
     program.main.body.extend([broken, assigned]);
-    let other = with(|style| (style.comments, style.line_ends) = (true, LineEnds::CrLf));
+    let other = with(|style| (style.comments, style.carriage_returns) = (true, true));
     for style in [Style::default(), other] {
         let written = write(&program, &style);
         let line_of = |part: &str| {

@@ -12,12 +12,12 @@ use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, 
 
 /// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
-pub fn complaint(case: &PreparedCase<'_>) -> Option<String> {
+pub fn complaint(case: &PreparedCase) -> Option<String> {
     catch_unwind(AssertUnwindSafe(|| wrong(case))).unwrap_or_else(|_| Some("it panics".to_owned()))
 }
 
-fn wrong(case: &PreparedCase<'_>) -> Option<String> {
-    let answer = match answer(case, case.source) {
+fn wrong(case: &PreparedCase) -> Option<String> {
+    let answer = match answer(case, &case.source) {
         Ok(answer) => answer,
         Err(error) => return Some(error),
     };
@@ -44,18 +44,18 @@ fn wrong(case: &PreparedCase<'_>) -> Option<String> {
 }
 
 /// Returns the reference's answer to `source`, with all that the case asks and sets.
-fn answer(case: &PreparedCase<'_>, source: &str) -> Result<Outcome, String> {
+fn answer(case: &PreparedCase, source: &str) -> Result<Outcome, String> {
     let dialect = case.dialect.parse().map_err(|_| "it does not know the dialect")?;
     let observe: Vec<_> = case
         .observe
         .iter()
-        .map(|&(name, after)| observation(name, after))
+        .map(|(name, after)| observation(name, *after))
         .collect();
-    let setting = |&(before, name, literal): &(u32, &str, &str)| {
+    let setting = |(before, name, literal): &(u32, String, String)| {
         let value = Value::parse(literal).map_err(|error| error.to_string())?;
         Ok::<_, String>(Setting {
-            before,
-            name: name.into(),
+            before: *before,
+            name: name.as_str().into(),
             value,
         })
     };
@@ -77,7 +77,7 @@ fn observation(name: &str, after: u32) -> Observation {
 
 /// Returns the lines and codes of diagnostics, sorted, and whether one names a clean line.
 fn reported<'d>(
-    expectation: &PreparedExpectation<'_>,
+    expectation: &PreparedExpectation,
     diagnostics: &'d [Diagnostic],
 ) -> (Vec<(u32, &'d str)>, bool) {
     let mut found: Vec<(u32, &str)> = diagnostics
@@ -91,20 +91,30 @@ fn reported<'d>(
     (found, on_clean_line)
 }
 
+/// Returns lines and codes that are expected as those of diagnostics are.
+fn texts(expected: &[(u32, String)]) -> Vec<(u32, &str)> {
+    expected
+        .iter()
+        .map(|(line, code)| (*line, code.as_str()))
+        .collect()
+}
+
 /// Returns what is wrong with the warnings of a program that was accepted: one is missing, or names a clean line.
-fn warnings_differ(expectation: &PreparedExpectation<'_>, warnings: &[Diagnostic]) -> Option<String> {
+fn warnings_differ(expectation: &PreparedExpectation, warnings: &[Diagnostic]) -> Option<String> {
     let (found, on_clean_line) = reported(expectation, warnings);
-    let all_given = expectation.warnings.iter().all(|wanted| found.contains(wanted));
+    let all_given = texts(&expectation.warnings)
+        .iter()
+        .all(|wanted| found.contains(wanted));
     (!all_given || on_clean_line).then(|| format!("warnings: {found:?}"))
 }
 
-fn rejected(expectation: &PreparedExpectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
+fn rejected(expectation: &PreparedExpectation, diagnostics: &[Diagnostic]) -> Option<String> {
     let (found, on_clean_line) = reported(expectation, diagnostics);
     let right = match expectation.acceptance {
         PreparedAcceptance::Required => false,
         PreparedAcceptance::Observed => true,
         PreparedAcceptance::Rejected => {
-            let mut expected = expectation.diagnostics.clone();
+            let mut expected = texts(&expectation.diagnostics);
             expected.sort_unstable();
             expected == found
         }
@@ -112,21 +122,21 @@ fn rejected(expectation: &PreparedExpectation<'_>, diagnostics: &[Diagnostic]) -
     (!right || on_clean_line).then(|| format!("rejected: {found:?}"))
 }
 
-fn faulted(expectation: &PreparedExpectation<'_>, found: (u32, &str)) -> Option<String> {
-    let right = match expectation.fault {
-        Some(expected) => expected == found,
+fn faulted(expectation: &PreparedExpectation, found: (u32, &str)) -> Option<String> {
+    let right = match &expectation.fault {
+        Some((line, fault)) => (*line, fault.as_str()) == found,
         // Where acceptance itself is open, how the program ends is open as well.
         None => expectation.acceptance == PreparedAcceptance::Observed,
     };
     (!right).then(|| format!("faulted: {found:?}"))
 }
 
-fn executed(expectation: &PreparedExpectation<'_>) -> Option<String> {
+fn executed(expectation: &PreparedExpectation) -> Option<String> {
     let may_run = expectation.acceptance != PreparedAcceptance::Rejected && expectation.fault.is_none();
     (!may_run).then(|| "accepted".to_owned())
 }
 
-fn values_differ(expectation: &PreparedExpectation<'_>, values: &[(String, Value)]) -> Option<String> {
+fn values_differ(expectation: &PreparedExpectation, values: &[(String, Value)]) -> Option<String> {
     expectation.values.iter().find_map(|(key, expected)| {
         let Some((_, value)) = values.iter().find(|(name, _)| name == key) else {
             return Some(format!("{key} is missing"));
@@ -134,7 +144,10 @@ fn values_differ(expectation: &PreparedExpectation<'_>, values: &[(String, Value
         let text = value.to_string();
         let same = match value {
             Value::Enumerated { .. } => text.eq_ignore_ascii_case(expected),
-            Value::Plain { .. } | Value::Text { .. } | Value::OutOfRange { .. } => text == *expected,
+            _ => {
+                let admits = || Value::parse_expected(expected).is_ok_and(|expected| expected.admits(value));
+                text == *expected || admits()
+            }
         };
         (!same).then(|| format!("{key} = {text}"))
     })
@@ -142,9 +155,9 @@ fn values_differ(expectation: &PreparedExpectation<'_>, values: &[(String, Value
 
 /// The bodies must be the expected lines, rendering again must change nothing, and the rendered program must do what the
 /// program did.
-fn rendering(case: &PreparedCase<'_>, wanted: &[&str], answer: &Outcome) -> Option<String> {
+fn rendering(case: &PreparedCase, wanted: &[String], answer: &Outcome) -> Option<String> {
     let dialect: DialectName = case.dialect.parse().ok()?;
-    let Ok(text) = render(case.source, dialect) else {
+    let Ok(text) = render(&case.source, dialect) else {
         return Some("not rendered".to_owned());
     };
     if bodies::rendered_bodies(&text) != wanted {
@@ -179,27 +192,26 @@ mod tests {
 
     const SOURCE: &str = "PROGRAM main\nVAR a : INT := 1; d : INT; END_VAR\na := a / d;\nEND_PROGRAM\n";
 
-    fn case(source: &'static str, expectation: PreparedExpectation<'static>) -> PreparedCase<'static> {
+    fn case(source: &str, expectation: PreparedExpectation) -> PreparedCase {
         PreparedCase {
-            key: "k",
-            dialect: "ironplc-ed3",
-            source,
+            dialect: "ironplc-ed3".to_owned(),
+            source: source.to_owned(),
             scans: 1,
-            observe: vec![("a", 0)],
-            set: Vec::new(),
+            observe: vec![("a".to_owned(), 0)],
             expectation,
+            ..PreparedCase::default()
         }
     }
 
-    fn reported(source: &'static str, expectation: PreparedExpectation<'static>) -> String {
+    fn reported(source: &str, expectation: PreparedExpectation) -> String {
         complaint(&case(source, expectation)).unwrap_or_default()
     }
 
     #[test]
     fn a_value_must_be_the_expected_one_of_the_expected_type() {
         const PLAIN: &str = "PROGRAM main VAR a : INT := 1; END_VAR END_PROGRAM";
-        let values = |value| PreparedExpectation {
-            values: vec![("a", value)],
+        let values = |value: &str| PreparedExpectation {
+            values: vec![("a".to_owned(), value.to_owned())],
             ..PreparedExpectation::default()
         };
         assert_eq!(reported(PLAIN, values("INT#1")), "");
@@ -209,8 +221,8 @@ mod tests {
 
     #[test]
     fn a_fault_must_be_the_expected_one_on_its_line() {
-        let fault = |line, kind| PreparedExpectation {
-            fault: Some((line, kind)),
+        let fault = |line, kind: &str| PreparedExpectation {
+            fault: Some((line, kind.to_owned())),
             ..PreparedExpectation::default()
         };
         assert_eq!(reported(SOURCE, fault(3, "division-by-zero")), "");
@@ -222,9 +234,12 @@ mod tests {
     #[test]
     fn a_rejection_must_be_right_to_the_code_and_line_and_name_no_clean_line() {
         const WRONG: &str = "PROGRAM main\nVAR a : INT; END_VAR\na := TRUE;\nb := 1;\nEND_PROGRAM";
-        let rejected = |diagnostics: &[(u32, &'static str)], clean_lines: &[u32]| PreparedExpectation {
+        let rejected = |diagnostics: &[(u32, &str)], clean_lines: &[u32]| PreparedExpectation {
             acceptance: PreparedAcceptance::Rejected,
-            diagnostics: diagnostics.to_vec(),
+            diagnostics: diagnostics
+                .iter()
+                .map(|(line, code)| (*line, (*code).to_owned()))
+                .collect(),
             clean_lines: clean_lines.to_vec(),
             ..PreparedExpectation::default()
         };
@@ -237,9 +252,9 @@ mod tests {
 
     #[test]
     fn a_rendered_program_must_have_the_expected_lines() {
-        let rendered = |line| PreparedExpectation {
-            fault: Some((3, "division-by-zero")),
-            rendered: Some(vec![line]),
+        let rendered = |line: &str| PreparedExpectation {
+            fault: Some((3, "division-by-zero".to_owned())),
+            rendered: Some(vec![line.to_owned()]),
             ..PreparedExpectation::default()
         };
         assert_eq!(reported(SOURCE, rendered("a := a / d;")), "");

@@ -7,9 +7,10 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex};
 use stickler_mutants_judge::judge::complaint;
 use stickler_mutants_judge::lookout::Lookout;
-use stickler_mutants_judge::prepared::{self, PreparedCase};
+use stickler_mutants_judge::prepared;
 
 fn main() -> ExitCode {
     match judge_all() {
@@ -25,29 +26,29 @@ fn judge_all() -> Result<(), String> {
     let path = std::env::var_os("STICKLER_PREPARED").map(PathBuf::from);
     let path =
         path.ok_or("this judge needs prepared cases: `cargo xtask mutants` prepares them and runs it")?;
-    let bytes = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let cases = prepared::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    if cases.is_empty() {
-        return Err(format!("{}: no cases", path.display()));
-    }
+    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let cases = prepared::lines(&text).filter(|cases| !cases.is_empty());
+    let cases = cases.ok_or_else(|| format!("{}: not prepared cases, or cut short", path.display()))?;
     let killers = path.with_extension("killers");
     // A mutant that panics is dead; what it says to that is of no interest.
     std::panic::set_hook(Box::new(|_| {}));
-    let keys: Vec<String> = cases.iter().map(|case| case.key.to_owned()).collect();
+    let judged = Arc::new(Mutex::new(String::new()));
     let lookout = Lookout::begin({
-        let killers = killers.clone();
+        let (killers, judged) = (killers.clone(), judged.clone());
         move |index, what| {
-            eprintln!(
-                "{}",
-                dead(&killers, index, keys.get(index).map_or("", String::as_str), what)
-            );
+            let key = judged.lock().map(|key| key.clone()).unwrap_or_default();
+            eprintln!("{}", dead(&killers, index, &key, what));
             std::process::exit(1);
         }
     });
-    for index in order(&cases, &killers) {
+    for index in order(cases.len(), &killers) {
+        let case = prepared::read(cases[index]).map_err(|error| format!("{}: {error}", path.display()))?;
+        if let Ok(mut judged) = judged.lock() {
+            judged.clone_from(&case.key);
+        }
         lookout.at(index);
-        if let Some(what) = cases.get(index).and_then(complaint) {
-            return Err(dead(&killers, index, cases[index].key, &what));
+        if let Some(what) = complaint(&case) {
+            return Err(dead(&killers, index, &case.key, &what));
         }
     }
     println!("{} cases passed", cases.len());
@@ -55,13 +56,13 @@ fn judge_all() -> Result<(), String> {
 }
 
 /// The cases that killed last, then all others in the order of the file.
-fn order(cases: &[PreparedCase<'_>], killers: &Path) -> Vec<usize> {
+fn order(cases: usize, killers: &Path) -> Vec<usize> {
     let text = std::fs::read_to_string(killers).unwrap_or_default();
     let killed = text.lines().rev().filter_map(|line| line.parse().ok());
     let mut seen = HashSet::new();
     killed
-        .chain(0..cases.len())
-        .filter(|&index| index < cases.len() && seen.insert(index))
+        .chain(0..cases)
+        .filter(|&index| index < cases && seen.insert(index))
         .collect()
 }
 

@@ -118,9 +118,7 @@ fn meets(pair: LiteralPair, to: ElementaryType) -> bool {
         LiteralPair::IntegerAsReal | LiteralPair::RealAsReal => to.is_real(),
         LiteralPair::IntegerAsBitString => to.is_bit_string(),
         LiteralPair::TextAsText => to.is_text(),
-        LiteralPair::IntegerAsOther | LiteralPair::RealAsOther | LiteralPair::TextAsOther => {
-            to.is_duration() || to.is_date_or_time()
-        }
+        LiteralPair::IntegerAsOther | LiteralPair::RealAsOther | LiteralPair::TextAsOther => to.is_moment(),
     }
 }
 

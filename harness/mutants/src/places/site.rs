@@ -255,7 +255,7 @@ impl SiteFinder<'_, '_> {
             let (claim, codes, spans): (BitClaim, &[Code], [Span; 2]) = match expression.kind {
                 ExpressionKind::Bit { base, .. } => {
                     let spans = [expression.span, self.analysis.expression(base).span];
-                    match self.errors_at(spans, &[Code::BitAccessOutOfRange]) {
+                    match self.admitted_at(spans, &[Code::BitAccessOutOfRange]).is_some() {
                         true => (BitClaim::Outside, &[Code::BitAccessOutOfRange], spans),
                         false => (BitClaim::NoBits, &[Code::BitAccessTypeInvalid], spans),
                     }
@@ -273,15 +273,11 @@ impl SiteFinder<'_, '_> {
                 _ => continue,
             };
             let standing = self.analysis.standings.of(id).of_bit();
-            let direction = match standing.written {
-                true => Direction::Written,
-                false => Direction::Read,
-            };
             let (Some(form), Some(change)) = (self.form(id), self.admitted_at(spans, codes)) else {
                 continue;
             };
             self.add(
-                ConversionClaim::Bit(claim, direction, form),
+                ConversionClaim::Bit(claim, standing.direction(), form),
                 ClaimBreach::Admitted,
                 standing,
                 change,
@@ -295,12 +291,8 @@ impl SiteFinder<'_, '_> {
                 continue;
             }
             let standing = self.analysis.standings.of(id).of_bit();
-            let direction = match standing.written {
-                true => Direction::Written,
-                false => Direction::Read,
-            };
             if let Some(form) = self.form(id) {
-                let claim = ConversionClaim::Bit(BitClaim::Rendered, direction, form);
+                let claim = ConversionClaim::Bit(BitClaim::Rendered, standing.direction(), form);
                 self.add(claim, ClaimBreach::Wrong, standing, SourceChange::Bit(id));
                 let refused = SourceChange::Refuse(expression.span);
                 self.add(claim, ClaimBreach::Refused, standing, refused);
@@ -324,10 +316,6 @@ impl SiteFinder<'_, '_> {
             b'B' | b'W' | b'D' | b'L' => Some(PartForm::Wider),
             _ => Some(PartForm::PartialAccess),
         }
-    }
-
-    fn errors_at(&self, spans: [Span; 2], codes: &[Code]) -> bool {
-        self.admitted_at(spans, codes).is_some()
     }
 
     fn admitted(&self, id: ExpressionId, codes: &[Code]) -> Option<SourceChange> {

@@ -1,5 +1,6 @@
 //! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
 
+use super::claim::Direction;
 use super::forms::Forms;
 use super::names::{SourceNames, Variables};
 use rustc_hash::FxHashMap;
@@ -28,6 +29,14 @@ pub struct PlaceOfExpression {
 }
 
 impl PlaceOfExpression {
+    /// Returns whether the expression is read or written.
+    pub const fn direction(self) -> Direction {
+        match self.written {
+            true => Direction::Written,
+            false => Direction::Read,
+        }
+    }
+
     /// Returns the places of a bit: where it is read, its source is that of what it is part of.
     pub fn of_bit(self) -> PlaceOfExpression {
         let source = if self.written { self.source } else { self.base };

@@ -40,7 +40,9 @@ impl Checked {
 
     fn alone(source: &str, dialect: &Dialect) -> Checked {
         let lines = LineIndex::new(source);
-        let (unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
+        let (mut unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
+        let is_standard = |name: &str| semantics::is_standard_function(name, dialect);
+        stickler_syntax::resolve_qualifiers(&mut unit, source, dialect, is_standard);
         let (program, found) = semantics::check(&unit, source, &lines, dialect);
         diagnostics.extend(found);
         Checked {

@@ -163,7 +163,7 @@ impl ConversionFunction {
 /// | name | takes | gives |
 /// |---|---|---|
 /// | `<SRC>_TO_<DST>` | SRC | DST |
-/// | `TO_<DST>` | any type that converts | DST |
+/// | `TO_<DST>` | any type that converts, or those that the dialect says | DST |
 /// | `TRUNC` | REAL, LREAL | DINT; in some dialects LINT of an LREAL |
 /// | `TRUNC_<INTEGER>` | REAL, LREAL | the integer |
 /// | `<REAL>_TRUNC_<INTEGER>` | REAL or LREAL | the integer |
@@ -172,6 +172,7 @@ impl ConversionFunction {
 /// | `<BITS>_BCD_TO_<UNSIGNED>`, `BCD_TO_<UNSIGNED>` | a bit string | the integer |
 /// | `<UNSIGNED>_TO_BCD_<BITS>`, `TO_BCD_<BITS>` | an unsigned integer | the bit string |
 /// | `ROUND`, `CEIL`, `CEILING`, `FLOOR` | REAL, LREAL | DINT, LINT; DINT where the dialect says so |
+/// | `ROUNDUP` where the dialect says so | REAL, LREAL | DINT, LINT |
 /// | `ROUND_<NUMBER>` …, `TRUNC_<REAL>` where the dialect says so | REAL, LREAL | the number |
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern; for the overloaded and BCD names of the third
@@ -208,7 +209,10 @@ fn by_upper_case_name(name: &str, dialect: &Dialect) -> Option<ConversionFunctio
 
 /// The elementary type of this name where the dialect has it.
 fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
-    ElementaryType::from_name(name).filter(|ty| dialect.has(*ty))
+    let is_short = |ty: &ElementaryType| ty.name() == dialect.standard_name(name);
+    dialect
+        .elementary(name)
+        .filter(|ty| dialect.has(*ty) && (dialect.long_names_convert || is_short(ty)))
 }
 
 /// `<SRC>_TO_<DST>`.
@@ -227,7 +231,10 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
         return any_to_bcd(one_of(BITS, bits)?);
     }
     let to = elementary(to, dialect)?;
-    let allowed = SOURCES.get(to as usize)?;
+    let allowed = match dialect.inputs.get(&to) {
+        Some(&inputs) => inputs,
+        None => SOURCES.get(to as usize)?,
+    };
     Some(ConversionFunction {
         parameter: any_of(allowed, ElementaryType::Dint),
         result: ResultType::Exactly(to),
@@ -256,6 +263,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         "ROUND" => Rounding::HalfToEven,
         "CEIL" | "CEILING" => Rounding::Up,
         "FLOOR" => Rounding::Down,
+        "ROUNDUP" if dialect.rounds_up => Rounding::AwayFromZero,
         _ => return None,
     };
     let to = named.unwrap_or(ElementaryType::Dint);

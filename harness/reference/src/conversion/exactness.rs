@@ -114,6 +114,7 @@ fn integer_modulo(value: f64, rounding: Rounding) -> u64 {
         Rounding::HalfAwayFromZero => half,
         Rounding::Up => (half || rest) && !negative,
         Rounding::Down => (half || rest) && negative,
+        Rounding::AwayFromZero => half || rest,
     };
     let magnitude = whole.wrapping_add(away.into());
     if negative {

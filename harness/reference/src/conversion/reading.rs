@@ -9,15 +9,18 @@
 use std::borrow::Cow;
 use stickler_types::{ElementaryType, Family, LiteralError, TextReading, Value, literal};
 
-/// Reads a text, in code units, as a value of the type; gives the raw form of zero where it cannot.
+/// Reads a text, in code units, as a value of the type; gives the raw form of zero where it cannot, or `None` by [`TextReading::LooseDigits`].
 ///
 /// Takes time in proportion to the length of the text.
 #[must_use]
-pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
+pub fn spelled(units: &[u16], to: ElementaryType, reading: TextReading) -> Option<u64> {
     let ascii = ascii_beginning(units);
     let whole = ascii.len() == units.len();
     if reading == TextReading::LeadingDigits && to.integer_range().is_some() | to.is_real() {
-        return read_digits(ascii.trim_start_matches([' ', '\t']), to);
+        return Some(read_digits(ascii.trim_start_matches([' ', '\t']), to));
+    }
+    if reading == TextReading::LeadingFixedPoint && to.is_integer() | to.is_real() {
+        return Some(read_fixed_point(ascii.trim_start_matches(' '), to));
     }
     let bare: Cow<'_, str> = match reading {
         TextReading::LooseDigits => {
@@ -35,18 +38,35 @@ pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
         _ if whole => text,
         _ => "",
     };
-    match to.family() {
+    let is_loose = reading == TextReading::LooseDigits;
+    Some(match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => {
             let text = number(leading_integer);
-            let is_taken = reading != TextReading::WholeTextInRange || is_in_range(text, to);
-            if is_taken { read_integer(text, to) } else { 0 }
+            match reading {
+                TextReading::LooseDigits if !is_in_range(text, to) => return None,
+                TextReading::WholeTextInRange if !is_in_range(text, to) => 0,
+                _ => read_integer(text, to),
+            }
         }
-        Family::Real => read_real(number(leading_real), to),
+        Family::Real => match number(leading_real) {
+            text if is_loose && (text.is_empty() || text != leading_real(text)) => return None,
+            text => read_real(text, to),
+        },
         _ if !whole => 0,
         Family::Boolean => read_boolean(text),
         Family::Duration if reading == TextReading::WholeLiteral && !text.contains('#') => 0,
         _ => read_moment(text, to),
-    }
+    })
+}
+
+/// An integer or a real number as [`TextReading::LeadingFixedPoint`] describes it.
+fn read_fixed_point(text: &str, to: ElementaryType) -> u64 {
+    let is_other = |character: char| !character.is_ascii_digit() && !",.+-".contains(character);
+    let text = &text[..text.find(is_other).unwrap_or(text.len())];
+    let (whole, fraction) = text.split_at(text.find('.').unwrap_or(text.len()));
+    let number = whole.replace(',', "") + fraction;
+    let is_outside = to.is_integer() && !is_in_range(leading_integer(&number), to);
+    if is_outside { 0 } else { read_digits(&number, to) }
 }
 
 /// The text up to the first character that is not ASCII. Every literal is ASCII, so such a character spoils a

@@ -95,6 +95,7 @@ fn rounded(value: f64, rounding: Rounding) -> i64 {
         Rounding::HalfAwayFromZero => rest.abs() >= 0.5,
         Rounding::Up => rest > 0.0,
         Rounding::Down => rest < 0.0,
+        Rounding::AwayFromZero => rest != 0.0,
     };
     match (away, value < 0.0) {
         (false, _) => whole,

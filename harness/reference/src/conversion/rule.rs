@@ -317,6 +317,16 @@ impl Conversion {
         });
     }
 
+    /// The raw form of the result for a text operand, in code units; `None` where the text is no number of the type and the reading is one by
+    /// which such a text gives none.
+    #[must_use]
+    pub fn spelled(self, units: &[u16]) -> Option<u64> {
+        match self.rule {
+            ConversionRule::ReadText(reading) => reading::spelled(units, self.to, reading),
+            _ => Some(self.apply_from_text(units)),
+        }
+    }
+
     /// The raw form of the result for a text operand, in code units.
     #[must_use]
     pub fn apply_from_text(self, units: &[u16]) -> u64 {
@@ -324,7 +334,7 @@ impl Conversion {
             ConversionRule::FirstCharacter => {
                 text::character(units.first().copied().unwrap_or(0).into(), self.to)
             }
-            ConversionRule::ReadText(reading) => reading::read(units, self.to, reading),
+            ConversionRule::ReadText(reading) => reading::spelled(units, self.to, reading).unwrap_or(0),
             _ => 0,
         }
     }

@@ -10,18 +10,20 @@ use crate::instruction::{ArithmeticOperator, FaultKind};
 use stickler_types::{ElementaryType, Rounding};
 
 /// A duration times or divided by a number of the type, modulo 2^64 nanoseconds. A product with NaN or an
-/// infinity is 0, as such a number is as an integer.
+/// infinity is 0, as such a number is as an integer, or the least duration.
 ///
 /// # Errors
 /// `DivisionByZero` where the divisor is zero, a real one too: a duration has no infinity to give.
 pub(super) fn scale(
     operator: ArithmeticOperator,
     ty: ElementaryType,
-    duration: u64,
-    number: u64,
+    (duration, number): (u64, u64),
+    is_least: bool,
 ) -> Result<u64, Halt> {
     match operator {
-        ArithmeticOperator::Multiply if ty.is_real() => Ok(product(duration, real::decode(number, ty))),
+        ArithmeticOperator::Multiply if ty.is_real() => {
+            Ok(product(duration, real::decode(number, ty), is_least))
+        }
         ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop if ty.is_real() => {
             Ok(quotient(duration, real::decode(number, ty))?)
         }
@@ -41,9 +43,9 @@ fn integer_quotient(duration: u64, number: i128) -> Result<u64, FaultKind> {
     Ok(quotient as u64)
 }
 
-fn product(duration: u64, number: f64) -> u64 {
+fn product(duration: u64, number: f64, is_least: bool) -> u64 {
     if !number.is_finite() {
-        return 0;
+        return if is_least { i64::MIN.cast_unsigned() } else { 0 };
     }
     let nanoseconds = duration.cast_signed();
     let (significand, exponent) = real::parts(number);

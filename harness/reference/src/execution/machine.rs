@@ -156,8 +156,8 @@ impl<'p> Machine<'p> {
                     self.operands.push(self.memory.load(address)?);
                 }
                 Instruction::Offset(offset) => {
-                    let address = self.pop_address()?;
-                    self.operands.push(address.wrapping_add(offset).into());
+                    let address = self.pop()?;
+                    self.operands.push(address.wrapping_add(offset.into()));
                 }
                 Instruction::Subscript {
                     low,
@@ -166,11 +166,10 @@ impl<'p> Machine<'p> {
                     unsigned,
                 } => {
                     let subscript = self.pop()?;
-                    let address = self.pop_address()?;
+                    let address = self.pop()?;
                     let element = element(subscript, (low, high), unsigned)?;
-                    // An array fits the memory, so its addresses fit 32 bits.
-                    let offset = (element as u32).wrapping_mul(stride);
-                    self.operands.push(address.wrapping_add(offset).into());
+                    let offset = element.wrapping_mul(stride.into());
+                    self.operands.push(address.wrapping_add(offset));
                 }
 
                 Instruction::Load(address) => self.operands.push(self.memory.load(address)?),
@@ -193,6 +192,11 @@ impl<'p> Machine<'p> {
                     self.memory.clear(address, count)?;
                 }
 
+                Instruction::AddressOf => self.address_of()?,
+                Instruction::Locate(layout) => self.locate(layout)?,
+                Instruction::Peek(layout) => self.peek(layout)?,
+                Instruction::Poke(layout) => self.poke(layout)?,
+
                 Instruction::Part(part) => {
                     let value = self.pop()?;
                     self.operands.push(narrow(value >> (part.first & 63), part.ty));
@@ -200,6 +204,11 @@ impl<'p> Machine<'p> {
                 Instruction::StorePart { part, of } => self.store_part(part, of)?,
 
                 Instruction::Convert(conversion) => self.convert(conversion)?,
+                Instruction::TryConvert(conversion) => {
+                    let value = conversion.spelled(&self.pop_text()?);
+                    self.operands.extend([value.unwrap_or(0), value.is_some().into()]);
+                }
+                Instruction::Format(from) => self.format(from)?,
                 Instruction::Concatenate(concatenation) => {
                     let (date, time) = self.pop_pair()?;
                     self.operands.push(concatenation.apply_two(date, time));
@@ -209,13 +218,18 @@ impl<'p> Machine<'p> {
                     self.operands
                         .push(arithmetic::arithmetic(operator, ty, left, right)?);
                 }
-                Instruction::ScaleDuration(operator, ty) => {
-                    let (time, number) = self.pop_pair()?;
-                    self.operands.push(duration::scale(operator, ty, time, number)?);
+                Instruction::ScaleDuration(operator, ty, is_least) => {
+                    let pair = self.pop_pair()?;
+                    self.operands.push(duration::scale(operator, ty, pair, is_least)?);
                 }
-                Instruction::Power { base, exponent } => {
+                Instruction::Power {
+                    base,
+                    exponent,
+                    stops,
+                } => {
                     let (left, right) = self.pop_pair()?;
-                    self.operands.push(power::power((base, left), (exponent, right))?);
+                    self.operands
+                        .push(power::power((base, left), (exponent, right), stops)?);
                 }
                 Instruction::Compare(operator, ty) => {
                     let (left, right) = self.pop_pair()?;
@@ -366,6 +380,13 @@ impl<'p> Machine<'p> {
             routine,
         });
         Ok(())
+    }
+
+    /// Returns whether the instruction that is executed, or one that a call returns to, is in a stretch of code.
+    pub(super) fn is_running(&self, (start, end): (Label, Label)) -> bool {
+        let returns = self.frames.iter().map(|frame| frame.next);
+        let mut positions = returns.chain([self.next]);
+        positions.any(|next| start < next && next <= end)
     }
 
     #[inline]

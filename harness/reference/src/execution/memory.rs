@@ -2,6 +2,7 @@
 
 use super::stop::Halt;
 use crate::instruction::{Address, TextCell};
+use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -12,6 +13,8 @@ pub(super) struct MachineMemory<'p> {
     /// By address. The cell of the nth holds n, its place in `texts`.
     text_cells: Cow<'p, [TextCell]>,
     texts: Vec<Vec<u16>>,
+    /// What lies in and behind those texts, by their place, that pointers have written into.
+    images: FxHashMap<usize, Vec<u16>>,
 }
 
 impl<'p> MachineMemory<'p> {
@@ -26,6 +29,7 @@ impl<'p> MachineMemory<'p> {
             cells: vec![0; size as usize],
             text_cells,
             texts,
+            images: FxHashMap::default(),
         };
         memory.name_texts(0..memory.text_cells.len());
         memory
@@ -77,6 +81,36 @@ impl<'p> MachineMemory<'p> {
         };
         text.clear();
         text.extend(units.iter().take(cell.capacity as usize));
+        Ok(())
+    }
+
+    /// Returns the code unit of a text at a position: behind its end a zero, and then what pointers have written there.
+    pub fn unit(&self, address: Address, position: u32) -> Result<u16, Halt> {
+        let position = position as usize;
+        let text = self.text(address)?;
+        let image = self.images.get(&(self.load(address)? as usize));
+        let behind = image.filter(|_| position > text.len());
+        let unit = text.get(position).or_else(|| behind?.get(position));
+        Ok(unit.copied().unwrap_or(0))
+    }
+
+    /// Sets the code unit at a position of a text, which then ends before its first zero.
+    pub fn set_unit(&mut self, address: Address, length: u32, position: u32, unit: u16) -> Result<(), Halt> {
+        let index = self.load(address)? as usize;
+        let text = self.texts.get_mut(index);
+        let text = text.ok_or(Halt::Missing("text at this address"))?;
+        let image = self.images.entry(index).or_default();
+        image.resize(length as usize + 1, 0);
+        image.splice(
+            ..=text.len().min(length as usize),
+            text.iter().copied().chain([0]),
+        );
+        image.truncate(length as usize + 1);
+        if let Some(place) = image.get_mut(position as usize) {
+            *place = unit;
+        }
+        text.clear();
+        text.extend(image.iter().take(length as usize).take_while(|&&unit| unit != 0));
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! The machine's longer instructions: texts, aggregates, conversions and standard functions.
 
 use super::machine::Machine;
-use crate::conversion::Conversion;
+use crate::conversion::{Conversion, formatted};
 use crate::execution::stop::Halt;
 use crate::execution::{comparison, standard};
 use crate::instruction::{ComparisonOperator, Part, StandardFunction};
@@ -85,6 +85,13 @@ impl Machine<'_> {
                 self.texts.push(Cow::Owned(conversion.text_to_text(&text)));
             }
         }
+        Ok(())
+    }
+
+    pub(super) fn format(&mut self, from: ElementaryType) -> Result<(), Halt> {
+        let (value, format) = (self.pop()?, self.pop_text()?);
+        self.spend_on_text(format.len() as u64)?;
+        self.texts.push(Cow::Owned(formatted(value, from, &format)));
         Ok(())
     }
 

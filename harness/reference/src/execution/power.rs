@@ -12,21 +12,26 @@ use stickler_types::ElementaryType;
 /// Base raised to exponent, in the type of the base.
 ///
 /// # Errors
-/// `DivisionByZero` for an integer zero with a negative exponent.
+/// `DivisionByZero` for an integer zero with a negative exponent, and for a real one where that `stops`.
 pub fn power(
     (base_type, base): (ElementaryType, u64),
     (exponent_type, exponent): (ElementaryType, u64),
+    stops: bool,
 ) -> Result<u64, FaultKind> {
     if !base_type.is_real() {
         let exponent = exponent_type.integer_value(exponent);
         return integer_power(base, exponent).map(|bits| narrow(bits, base_type));
     }
     let base = real::decode(base, base_type);
-    let result = if exponent_type.is_real() {
-        base.powf(real::decode(exponent, exponent_type))
+    let (result, is_finite) = if exponent_type.is_real() {
+        let exponent = real::decode(exponent, exponent_type);
+        (base.powf(exponent), exponent.is_finite())
     } else {
-        real_power(base, exponent_type.integer_value(exponent))
+        (real_power(base, exponent_type.integer_value(exponent)), true)
     };
+    if stops && base == 0.0 && is_finite && result.is_infinite() {
+        return Err(FaultKind::DivisionByZero);
+    }
     Ok(real::encode(result, base_type))
 }
 

@@ -7,19 +7,22 @@ use super::arithmetic::absolute;
 use super::comparison::{compare, extreme};
 use super::stop::Halt;
 use crate::conversion::real;
-use crate::instruction::{FaultKind, RealFunction, StandardFunction};
+use crate::instruction::{FaultKind, RealFunction, StandardFunction, TextPart};
 use crate::raw::narrow;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::Range;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::TextPositions;
+use stickler_types::literal::date;
 
 /// Counts the numbers that a function takes from the stack besides its texts: a selector, a length, a position.
 pub(super) fn number_count(function: StandardFunction) -> usize {
-    use StandardFunction::{Delete, Insert, Left, Mid, Mux, Replace, Right, Sel};
+    use TextPart::{Delete, Insert, Left, Mid, Replace, Right};
     match function {
-        Sel | Mux | Left | Right | Insert => 1,
-        Mid | Delete | Replace => 2,
+        StandardFunction::Sel | StandardFunction::Mux => 1,
+        StandardFunction::Part(Left | Right | Insert, _) => 1,
+        StandardFunction::Part(Mid | Delete | Replace, _) => 2,
         _ => 0,
     }
 }
@@ -27,33 +30,50 @@ pub(super) fn number_count(function: StandardFunction) -> usize {
 /// Counts the plain operands that a function takes from the stack, its selector included.
 pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
     match function {
-        StandardFunction::Abs | StandardFunction::FiniteAbs => 1,
+        StandardFunction::Abs
+        | StandardFunction::FiniteAbs
+        | StandardFunction::SwapBytes
+        | StandardFunction::IsValid
+        | StandardFunction::IsValidBcd => 1,
         StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
         StandardFunction::Sel | StandardFunction::Limit | StandardFunction::FiniteLimit => 3,
         StandardFunction::Mux => usize::from(count) + 1,
-        StandardFunction::Min | StandardFunction::Max | StandardFunction::InOrder(_) => usize::from(count),
-        StandardFunction::Real(RealFunction::ArcTangent2) => 2,
-        StandardFunction::Real(_) => 1,
+        StandardFunction::Min
+        | StandardFunction::Max
+        | StandardFunction::InOrder(_)
+        | StandardFunction::Compose
+        | StandardFunction::Real(_)
+        | StandardFunction::RealOrStop(_) => usize::from(count),
         _ => number_count(function),
     }
 }
 
 /// The result for plain operands, the deepest first.
-pub(super) fn of_plain(
-    function: StandardFunction,
-    of: ElementaryType,
-    operands: &[u64],
-) -> Result<u64, Halt> {
-    match (function, operands) {
+pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &[u64]) -> Result<u64, Halt> {
+    match (called, operands) {
         (StandardFunction::FiniteAbs, &[value]) | (StandardFunction::FiniteLimit, &[_, value, _])
             if !operands.iter().all(|&raw| real::decode(raw, of).is_finite()) =>
         {
             Ok(value)
         }
         (StandardFunction::Abs | StandardFunction::FiniteAbs, &[value]) => Ok(absolute(of, value)),
-        (StandardFunction::Real(function), values) => {
-            let values: Vec<f64> = values.iter().map(|raw| real::decode(*raw, of)).collect();
-            Ok(real::encode(of_reals(function, &values), of))
+        (StandardFunction::Real(function) | StandardFunction::RealOrStop(function), raw) => {
+            let values: Vec<f64> = raw.iter().map(|raw| real::decode(*raw, of)).collect();
+            let result = of_reals(function, &values);
+            let is_pole = values.iter().all(|value| *value == 0.0) && result.is_infinite();
+            match is_pole && matches!(called, StandardFunction::RealOrStop(_)) {
+                true => Err(FaultKind::DivisionByZero.into()),
+                false => Ok(real::encode(result, of)),
+            }
+        }
+        (StandardFunction::Compose, fields) => composed(of, fields),
+        (StandardFunction::SwapBytes, &[value]) => Ok(narrow(
+            value.swap_bytes() >> (64 - of.bits().next_multiple_of(8)),
+            of,
+        )),
+        (StandardFunction::IsValid, &[value]) => Ok(real::decode(value, of).is_finite().into()),
+        (StandardFunction::IsValidBcd, &[value]) => {
+            Ok((0..16).all(|digit| (value >> (4 * digit)) & 15 < 10).into())
         }
         (StandardFunction::Sel, &[choice, if_false, if_true]) => {
             Ok(if choice == 0 { if_false } else { if_true })
@@ -89,6 +109,35 @@ pub(super) fn of_plain(
         )),
         _ => Err(Halt::Missing("operand of a standard function")),
     }
+}
+
+/// Returns the date, the time of day or both that have these numbers, from the year or the hour on.
+///
+/// Basis: iec-61131-3: Table 36, which does not say what numbers give that no date has.
+fn composed(of: ElementaryType, fields: &[u64]) -> Result<u64, Halt> {
+    let text: Vec<String> = fields
+        .iter()
+        .map(|field| field.cast_signed().to_string())
+        .collect();
+    let milliseconds = fields
+        .get(3..)
+        .and_then(<[u64]>::last)
+        .copied()
+        .unwrap_or_default();
+    let read = match &text[..] {
+        _ if milliseconds > 999 => None,
+        [year, month, day] => date::date(&format!("{year}-{month}-{day}")).ok(),
+        [hour, minute, second, _] => {
+            date::time_of_day(&format!("{hour}:{minute}:{second}.{milliseconds:03}")).ok()
+        }
+        [year, month, day, hour, minute, second, _] => date::date_and_time(&format!(
+            "{year}-{month}-{day}-{hour}:{minute}:{second}.{milliseconds:03}"
+        ))
+        .ok(),
+        _ => return Err(Halt::Missing("operand of a standard function")),
+    };
+    let moment = read.ok_or(FaultKind::Subrange)?;
+    Ok(narrow(moment.cast_unsigned(), of))
 }
 
 /// Returns what a function of real numbers gives; of one of a REAL, before it is rounded to that type.
@@ -149,15 +198,9 @@ pub(super) type Text<'p> = Cow<'p, [u16]>;
 /// Counts the texts that a function takes from the stack.
 pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
     match function {
-        StandardFunction::Len
-        | StandardFunction::Left
-        | StandardFunction::Right
-        | StandardFunction::Mid
-        | StandardFunction::Delete => 1,
-        StandardFunction::Sel
-        | StandardFunction::Insert
-        | StandardFunction::Replace
-        | StandardFunction::Find => 2,
+        StandardFunction::Part(TextPart::Insert | TextPart::Replace, _) => 2,
+        StandardFunction::Len | StandardFunction::Part(..) => 1,
+        StandardFunction::Sel | StandardFunction::Find => 2,
         StandardFunction::Limit => 3,
         _ => usize::from(count),
     }
@@ -167,9 +210,9 @@ pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
 ///
 /// Basis: iec-61131-3: Table 34 (positions count from 1; what lies outside the text is an error, of which the standard leaves the consequences
 /// open).
-fn range(text: &[u16], length: u64, position: i64) -> Range<usize> {
+fn range(text: &[u16], length: i64, position: i64) -> Range<usize> {
     let start = position.saturating_sub(1);
-    let end = start.saturating_add(length.cast_signed());
+    let end = start.saturating_add(length);
     let inside = |at: i64| usize::try_from(at.max(0)).map_or(text.len(), |at| at.min(text.len()));
     let start = inside(start);
     start..inside(end).max(start)
@@ -201,29 +244,50 @@ pub(super) fn position(text: &[u16], sought: &[u16]) -> u64 {
 
 /// Returns what a function of texts and positions gives; `None` for another function.
 fn of_ranges(function: StandardFunction, numbers: &[u64], texts: &[Text<'_>]) -> Option<Vec<u16>> {
+    let StandardFunction::Part(part, positions) = function else {
+        return None;
+    };
+    let text = texts.first()?;
+    let numbers: Vec<i64> = numbers.iter().map(|number| number.cast_signed()).collect();
+    match (positions, part, &numbers[..]) {
+        (TextPositions::Kept, TextPart::Mid, &[_, ..1])
+        | (TextPositions::Empty, _, &[..0, ..] | &[_, ..1]) => {
+            return Some(Vec::new());
+        }
+        (TextPositions::Kept, TextPart::Insert, &[at]) if at < 0 || at > text.len() as i64 => {
+            return Some(text.to_vec());
+        }
+        (TextPositions::Kept, TextPart::Replace, &[_, at]) if at > text.len() as i64 => {
+            return Some(text.to_vec());
+        }
+        _ => {}
+    }
+    of_clipped(part, &numbers, texts)
+}
+
+/// Returns what a function of texts and positions gives for what of the positions lies in the text.
+fn of_clipped(part: TextPart, numbers: &[i64], texts: &[Text<'_>]) -> Option<Vec<u16>> {
     let joined = |text: &[u16], range: Range<usize>, between: &[u16]| {
         let (before, behind) = (text.get(..range.start)?, text.get(range.end..)?);
         Some([before, between, behind].concat())
     };
-    match (function, numbers, texts) {
-        (StandardFunction::Left, &[length], [text]) => text.get(range(text, length, 1)).map(<[u16]>::to_vec),
-        (StandardFunction::Right, &[length], [text]) => {
-            let before = (text.len() as i64).saturating_sub(length.cast_signed().max(0));
+    match (part, numbers, texts) {
+        (TextPart::Left, &[length], [text]) => text.get(range(text, length, 1)).map(<[u16]>::to_vec),
+        (TextPart::Right, &[length], [text]) => {
+            let before = (text.len() as i64).saturating_sub(length.max(0));
             let kept = range(text, length, before.saturating_add(1).max(1));
             text.get(kept).map(<[u16]>::to_vec)
         }
-        (StandardFunction::Mid, &[length, position], [text]) => {
-            let kept = range(text, length, position.cast_signed());
+        (TextPart::Mid, &[length, position], [text]) => {
+            let kept = range(text, length, position);
             text.get(kept).map(<[u16]>::to_vec)
         }
-        (StandardFunction::Delete, &[length, position], [text]) => {
-            joined(text, range(text, length, position.cast_signed()), &[])
+        (TextPart::Delete, &[length, position], [text]) => joined(text, range(text, length, position), &[]),
+        (TextPart::Replace, &[length, position], [text, other]) => {
+            joined(text, range(text, length, position), other)
         }
-        (StandardFunction::Replace, &[length, position], [text, other]) => {
-            joined(text, range(text, length, position.cast_signed()), other)
-        }
-        (StandardFunction::Insert, &[position], [text, other]) => {
-            let at = range(text, 0, position.cast_signed().saturating_add(1));
+        (TextPart::Insert, &[position], [text, other]) => {
+            let at = range(text, 0, position.saturating_add(1));
             joined(text, at, other)
         }
         _ => None,

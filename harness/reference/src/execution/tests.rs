@@ -247,10 +247,11 @@ fn any_instruction(bits: u64) -> Instruction {
             rule,
         }),
         19 => Arithmetic(operator, ty),
-        20 => Instruction::ScaleDuration(operator, ty),
+        20 => Instruction::ScaleDuration(operator, ty, false),
         21 => Instruction::Power {
             base: ty,
             exponent: other,
+            stops: bits & 1 == 0,
         },
         22 => CompareText(ComparisonOperator::Less),
         23 => Standard {

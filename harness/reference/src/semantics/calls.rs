@@ -4,13 +4,15 @@ use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::methods::Receiver;
 use super::model::TopLevelName;
+use super::pointers::{AddressFunction, NOT_IN_DIALECT};
 use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::Instruction;
+use crate::library::is_not_implemented;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, Dialect, ElementaryType};
 
 /// The callee of a call.
 #[derive(Clone, Copy, Debug)]
@@ -27,10 +29,20 @@ pub(super) enum Callee {
     Conversion(ConversionFunction),
     /// A type conversion function of two arguments.
     Concatenation(Concatenation),
+    /// An operator on variables and types that is written as a function.
+    Address(AddressFunction),
     /// A name that cannot be called: the code and the reason.
     Nothing(Code, &'static str),
     /// An expression whose mistake is reported elsewhere.
     Silent,
+}
+
+/// Returns whether a standard function or a type conversion function of the dialect has a name.
+#[must_use]
+pub fn is_standard_function(name: &str, dialect: &Dialect) -> bool {
+    standard_function(name).is_some()
+        || function(name, dialect).is_some()
+        || concatenation(name, dialect).is_some()
 }
 
 impl<'m> Lowering<'m> {
@@ -116,15 +128,25 @@ impl<'m> Lowering<'m> {
             }
             None => {}
         }
-        if let Some(standard) = standard_function(name.text) {
+        let dialect = self.model.source.dialect;
+        let name = dialect.standard_name(name.text);
+        if let Some(function) = AddressFunction::of(name) {
+            return match dialect.has_pointers(function.feature()) {
+                true => Callee::Address(function),
+                false => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+            };
+        }
+        if let Some(standard) = standard_function(name) {
             return Callee::Standard(standard);
         }
-        let dialect = self.model.source.dialect;
-        if let Some(conversion) = function(name.text, dialect) {
+        if let Some(conversion) = function(name, dialect) {
             return Callee::Conversion(conversion);
         }
-        match concatenation(name.text, dialect) {
+        match concatenation(name, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
+            None if is_not_implemented(name) => {
+                Callee::Nothing(Code::NotImplemented, "is standard, and not implemented")
+            }
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
         }
     }
@@ -147,6 +169,7 @@ impl<'m> Lowering<'m> {
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
             Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
             Callee::Concatenation(concatenation) => Inferred::from(concatenation.result),
+            Callee::Address(function) => self.infer_address(function, arguments),
             Callee::Nothing(..) | Callee::Silent => Inferred::Error,
         }
     }
@@ -198,6 +221,7 @@ impl<'m> Lowering<'m> {
             Callee::Standard(standard) => self.call_standard(id, standard, arguments, wanted),
             Callee::Conversion(conversion) => self.call_conversion(span, &conversion, arguments, wanted),
             Callee::Concatenation(concatenation) => self.call_concatenation(span, concatenation, arguments),
+            Callee::Address(function) => self.call_address(id, function, arguments, wanted),
             Callee::Nothing(code, reason) => self.refuse_callee(code, callee, reason, arguments),
             Callee::Silent => {
                 self.value(callee, None);
@@ -257,7 +281,7 @@ impl<'m> Lowering<'m> {
     ) -> LoweredValue {
         let name = self.model.source.text_of(callee);
         let hint = match code {
-            Code::FunctionCallUndeclared => self.similar_function(name),
+            Code::FunctionCallUndeclared if reason != NOT_IN_DIALECT => self.similar_function(name),
             _ => String::new(),
         };
         self.report(code, self.span(callee), format!("`{name}` {reason}{hint}"));

@@ -43,7 +43,7 @@ impl Lowering<'_> {
                 OperatorSignature::Defined(operation) => Some(operation),
                 OperatorSignature::Undefined => {
                     let message = self.undefined(operator.symbol(), operands);
-                    self.report(Code::OperatorOperandTypeMismatch, self.span(at), message);
+                    self.report(self.undefined_code(operator, operands), self.span(at), message);
                     None
                 }
                 OperatorSignature::Untyped(_) | OperatorSignature::Silent => None,
@@ -175,7 +175,11 @@ impl Lowering<'_> {
                 if swapped {
                     self.emit(Instruction::Swap);
                 }
-                self.emit_at(self.span(link.node), Instruction::ScaleDuration(operator, number));
+                let is_least = self.model.source.dialect.infinite_products;
+                self.emit_at(
+                    self.span(link.node),
+                    Instruction::ScaleDuration(operator, number, is_least),
+                );
                 // A scaled LTIME wraps by itself.
                 if link
                     .operation
@@ -185,7 +189,13 @@ impl Lowering<'_> {
                 }
             }
             Action::Power { base, exponent } => {
-                self.emit_at(self.span(link.node), Instruction::Power { base, exponent });
+                let stops = self.model.source.dialect.division_stops;
+                let power = Instruction::Power {
+                    base,
+                    exponent,
+                    stops,
+                };
+                self.emit_at(self.span(link.node), power);
             }
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),

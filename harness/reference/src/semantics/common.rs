@@ -5,6 +5,7 @@
 
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
+use super::pointer_types::fits_pointer;
 use super::types::{TypeId, TypeTable};
 use crate::conversion::{common_operand, of_operand};
 use stickler_types::ElementaryType;
@@ -102,6 +103,10 @@ impl TypeRules<'_> {
     pub(super) fn common_of_known(self, left: TypeId, right: TypeId) -> Option<TypeId> {
         if left == right {
             return Some(left);
+        }
+        if self.types.pointer(left).and(self.types.pointer(right)).is_some() {
+            let other = if left == TypeId::ADDRESS { right } else { left };
+            return fits_pointer(left, right, self.types, self.dialect).then_some(other);
         }
         let (from, to) = (left.elementary()?, right.elementary()?);
         let rightward = of_operand(from, to, self.dialect).is_some();

@@ -14,7 +14,8 @@ use super::types::TypeId;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
+    Argument, BinaryOperator, CaseFolded, ExpressionId, ExpressionKind, Literal, LiteralKind, Name,
+    UnaryOperator,
 };
 use stickler_types::{Code, ElementaryType, literal};
 
@@ -72,7 +73,7 @@ impl<'m> Lowering<'m> {
             }
             ExpressionKind::Call { .. } => self.constant_call(id),
             ExpressionKind::Error => None,
-            _ => self.no_number(not_constant(expression.span)),
+            _ => self.no_number(self.no_constant(id)),
         }
     }
 
@@ -179,7 +180,7 @@ impl<'m> Lowering<'m> {
                     }));
                 }
                 ExpressionKind::Error => return Err(None),
-                _ => return Err(Some(not_constant(expression.span))),
+                _ => return Err(Some(self.no_constant(id))),
             }
         }
         Ok(parts)
@@ -197,6 +198,21 @@ impl<'m> Lowering<'m> {
             }
             _ => Err(Some(not_constant(call))),
         }
+    }
+
+    /// Says that an expression is no constant, or that nothing is declared under the name with which it begins.
+    fn no_constant(&self, id: ExpressionId) -> SpannedDiagnostic {
+        let refused = not_constant(self.span(id));
+        let ExpressionKind::Field { base, .. } = self.expression(id).kind else {
+            return refused;
+        };
+        let ExpressionKind::Name(name) = self.expression(base).kind else {
+            return refused;
+        };
+        let is_known =
+            self.variable(name.text).is_some() || self.model.definitions.contains_key(&CaseFolded(name.text));
+        let undeclared = Constant::Unknown.refusal(name).filter(|_| !is_known);
+        undeclared.unwrap_or(refused)
     }
 
     fn constant_of(&self, name: Name<'_>) -> Constant {

@@ -1,6 +1,7 @@
 //! Decides whether a value may stand where a type is expected, and where a literal without a type may.
 
 use super::inferred::Inferred;
+use super::pointer_types::fits_pointer;
 use super::types::{TypeId, TypeKind, TypeTable};
 use crate::conversion::{implicit, of_operand};
 use stickler_types::dialect::Dialect;
@@ -95,6 +96,10 @@ pub(super) fn fit(
         Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
             types.derives(ty, target)
         }
+        Inferred::Known(ty) if types.pointer(ty).or(types.pointer(target)).is_some() => {
+            fits_pointer(ty, target, types, dialect)
+        }
+        Inferred::Integer(_) if types.pointer(target).is_some() => dialect.has_pointers("pointer-arithmetic"),
         Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
             (Some(from), Some(to)) => match context {
                 ValueContext::Operand | ValueContext::CommonArgument => of_operand(from, to, dialect),
@@ -121,10 +126,14 @@ pub(super) fn fit(
     if fits { Fit::Yes } else { Fit::No }
 }
 
-/// Returns the elementary type as which a value of a type may convert: its own, or INT for a value of an enumeration that counts as a number.
+/// Returns the elementary type as which a value of a type may convert: its own, INT for a value of an enumeration that counts as a number, or
+/// LWORD for an address that does.
 pub(super) fn elementary_value(ty: TypeId, types: &TypeTable, dialect: &Dialect) -> Option<ElementaryType> {
     let counts = dialect.enumerations_as_integers && matches!(types.kind(ty), TypeKind::Enumeration(_));
-    ty.elementary().or(counts.then_some(ElementaryType::Int))
+    let is_address = || types.pointer(ty).is_some() && dialect.has_pointers("pointer-arithmetic");
+    ty.elementary()
+        .or(counts.then_some(ElementaryType::Int))
+        .or_else(|| is_address().then_some(ElementaryType::Lword))
 }
 
 /// Returns whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at

@@ -3,14 +3,19 @@
 use super::calls::Callee;
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
+use super::literals::untyped_integer;
 use super::lowering::{LoweredValue, Lowering};
 use super::parameters::{ParameterList, single_argument};
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
+use crate::instruction::Instruction;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, LiteralKind};
 use stickler_types::ElementaryType;
+
+/// The inputs of TO_STRING where it has a format.
+const FORMATTED: ParameterList = ParameterList::exactly(&["IN", "FORMAT"]);
 
 impl Lowering<'_> {
     /// The type of most results depends on nothing else, so it is known whatever is wrong with the argument.
@@ -19,7 +24,9 @@ impl Lowering<'_> {
         conversion: &ConversionFunction,
         arguments: &[Argument<'_>],
     ) -> Inferred {
-        match (conversion.result, self.converted(conversion, arguments)) {
+        let argument = single_argument(arguments, Span::default()).ok();
+        let argument = argument.and_then(|argument| self.converted(conversion, argument));
+        match (conversion.result, argument) {
             (ResultType::Exactly(ty), _) => Inferred::from(ty),
             (_, Some(argument)) => Inferred::from(conversion.result_type(argument, None)),
             (_, None) => Inferred::Error,
@@ -40,7 +47,8 @@ impl Lowering<'_> {
         if !matches!(conversion.result, ResultType::OfTarget { .. }) {
             return None;
         }
-        let argument = self.converted(&conversion, arguments)?;
+        let argument = single_argument(arguments, Span::default()).ok()?;
+        let argument = self.converted(&conversion, argument)?;
         Some(conversion.result_type(argument, target.elementary()))
     }
 
@@ -48,11 +56,27 @@ impl Lowering<'_> {
     fn converted(
         &mut self,
         conversion: &ConversionFunction,
-        arguments: &[Argument<'_>],
+        argument: ExpressionId,
     ) -> Option<ElementaryType> {
-        let argument = single_argument(arguments, Span::default()).ok()?;
         let inferred = self.infer(argument);
-        parameter_type(conversion, inferred)
+        let takes =
+            |ty: &ElementaryType| self.model.source.dialect.based_literals_as_bits && conversion.accepts(*ty);
+        let bits = self.based_literal(conversion.result, argument).filter(takes);
+        bits.or_else(|| parameter_type(conversion, inferred))
+    }
+
+    /// Returns the type of bit string that an untyped literal in another base is as an argument, where the dialect takes it for one.
+    fn based_literal(&self, to: ResultType, argument: ExpressionId) -> Option<ElementaryType> {
+        use ElementaryType::{Dword, Lword, Word};
+        let ExpressionKind::Literal(literal) = &self.expression(self.model.source.bare(argument)).kind else {
+            return None;
+        };
+        let is_based = literal.kind == LiteralKind::BasedInteger && literal.prefix().is_none();
+        let takes = matches!(to, ResultType::Exactly(to) if to.is_integer()) && is_based;
+        let number = untyped_integer(literal.text(), false).filter(|_| takes)?;
+        [Word, Dword, Lword]
+            .into_iter()
+            .find(|ty| number >> ty.bits() == 0)
     }
 
     /// Lowers a call of a conversion function of one argument, and leaves its result on the stack.
@@ -67,20 +91,40 @@ impl Lowering<'_> {
             ResultType::Exactly(ty) => LoweredValue::of(ty),
             _ => LoweredValue::ERROR,
         };
-        let argument = match single_argument(arguments, span) {
-            Ok(argument) => argument,
+        let is_fallible = self.fallible.take() == Some(span);
+        let is_text = matches!(conversion.result, ResultType::Exactly(to) if to.is_text());
+        let is_formatted = is_text && arguments.len() == 2 && self.model.source.dialect.format_strings;
+        let given = match is_formatted {
+            true => FORMATTED.ordered(arguments, span),
+            false => single_argument(arguments, span).map(|argument| vec![argument]),
+        };
+        let values = match given {
+            Ok(values) => values,
             Err(reason) => {
                 self.refuse(reason, arguments);
                 return value;
             }
         };
-        let Some(from) = self.converted(conversion, arguments) else {
+        let argument = values[0];
+        let Some(from) = self.converted(conversion, argument) else {
             self.refuse_converted(conversion, argument);
             return value;
         };
         let given = self.coerce(argument, TypeId::of(from), ValueContext::Argument);
         let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
-        self.emitter.convert(conversion.conversion(from, to));
+        let conversion = conversion.conversion(from, to);
+        if let Some(&format) = values.get(1) {
+            self.coerce(format, TypeId::of(to), ValueContext::Argument);
+            self.emit(match from.is_text() {
+                true => Instruction::DropText,
+                false => Instruction::Format(from),
+            });
+        } else if is_fallible && from.is_text() && !to.is_text() {
+            self.emit(Instruction::TryConvert(conversion));
+            self.failed = Some(self.emitter.jump_if_false());
+        } else {
+            self.emitter.convert(conversion);
+        }
         self.emitter.record(argument, UseKind::Converted { from, to });
         if given.ty == TypeId::ERROR {
             value

@@ -7,6 +7,7 @@ use super::memory::MemoryLayout;
 use super::model::{
     DefaultInitialValue, InitialRoutine, Instance, Model, PouEntry, SourceText, TopLevelName,
 };
+use super::pointer_types::PendingPointer;
 use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
@@ -32,6 +33,9 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) current: Option<usize>,
     /// Variables whose types need no size of their own: VAR_IN_OUT and VAR_EXTERNAL.
     pub(super) deferred: Vec<Deferred<'u>>,
+    /// Reference and pointer types whose targets are resolved once all types are known, with the POU and the name for each; `None` from
+    /// then on.
+    pub(super) pointers: Option<Vec<PendingPointer<'u>>>,
     /// Whether a type of a later edition has been met.
     pub(super) later: bool,
     /// Room for the inferred types of constant expressions, which are lowered one by one.
@@ -90,6 +94,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         configurations: Vec::new(),
         current: None,
         deferred: Vec::new(),
+        pointers: Some(Vec::new()),
         later: false,
         inferred: Vec::new(),
         guesses: 20,

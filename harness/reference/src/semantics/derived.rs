@@ -47,7 +47,7 @@ impl Lowering<'_> {
     }
 
     /// Returns the type with which the variable or the function of an expression is declared; `None` for all that is computed.
-    fn declared_type_of(&mut self, id: ExpressionId) -> Option<TypeId> {
+    pub(super) fn declared_type_of(&mut self, id: ExpressionId) -> Option<TypeId> {
         match self.expression(self.model.source.bare(id)).kind {
             ExpressionKind::Name(name) => Some(self.variable(name.text)?.1.ty),
             ExpressionKind::Field { base, field } => {
@@ -61,6 +61,7 @@ impl Lowering<'_> {
                     _ => None,
                 }
             }
+            ExpressionKind::Dereference { base } => self.target_type(base),
             ExpressionKind::Call { callee, .. } => self.declared_result(callee),
             _ => None,
         }

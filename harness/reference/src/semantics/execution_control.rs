@@ -71,7 +71,7 @@ impl<'m> Lowering<'m> {
                 !declares("EN") && !declares("ENO") && !gives_many
             }
             Callee::Standard(_) | Callee::Conversion(_) | Callee::Concatenation(_) => true,
-            Callee::Nothing(..) | Callee::Silent => false,
+            Callee::Address(_) | Callee::Nothing(..) | Callee::Silent => false,
         }
     }
 

@@ -22,8 +22,14 @@ impl<'m> Lowering<'m> {
     /// Puts a value on the stack where a declared type is expected: checks that it may stand there, converts
     /// it, and checks the limits of a subrange.
     pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: ValueContext) -> LoweredValue {
+        if self.model.types.named_type(target) != target {
+            return self.bind_reference(id, target);
+        }
         let to = self.model.types.value_type(target);
         let inferred = self.infer(id);
+        if self.refuses_reference(id, inferred, to) {
+            return LoweredValue::ERROR;
+        }
         if self.reports_unknown_value(id, to, context) {
             return LoweredValue::ERROR;
         }
@@ -100,8 +106,9 @@ impl<'m> Lowering<'m> {
         if value.ty == to {
             return value;
         }
-        // The address of an instance is a value of the interface.
-        if value.ty != TypeId::ERROR && matches!(self.model.types.kind(to), TypeKind::Interface(_)) {
+        let is_interface = || matches!(self.model.types.kind(to), TypeKind::Interface(_));
+        if value.ty != TypeId::ERROR && (self.model.types.pointer(to).is_some() || is_interface()) {
+            // An address is a number, and integers are kept with their sign in all 64 bits; that of an instance is a value of the interface.
             return LoweredValue::computed(to);
         }
         let dialect = self.model.source.dialect;
@@ -179,6 +186,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::EnumeratedValue(word) => self.enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { .. }
             | ExpressionKind::Index { .. }
+            | ExpressionKind::Dereference { .. }
             | ExpressionKind::Bit { .. }
             | ExpressionKind::Part { .. } => self.read(id),
             ExpressionKind::Call { callee, arguments } => self.call(id, *callee, arguments, wanted),
@@ -210,6 +218,10 @@ impl<'m> Lowering<'m> {
                 );
                 self.report(Code::EnumValueAmbiguous, name.span, message);
                 LoweredValue::ERROR
+            }
+            None if self.is_null(name.text) => {
+                self.emit(Instruction::Push(0));
+                LoweredValue::computed(TypeId::ADDRESS)
             }
             None => self.read(id),
         }

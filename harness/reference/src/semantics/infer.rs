@@ -54,6 +54,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { base, field } => self.infer_field(id, *base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
+            ExpressionKind::Dereference { base } => self.infer_dereference(*base),
             ExpressionKind::Bit { base, .. } => self.infer_part(*base, ElementaryType::Bool),
             ExpressionKind::Part { base, part, .. } => self.infer_part(*base, *part),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
@@ -65,7 +66,8 @@ impl<'m> Lowering<'m> {
 
     /// Returns the type of a value of a declared type.
     pub(super) fn inferred_of(&self, declared: TypeId) -> Inferred {
-        match self.model.types.value_type(declared) {
+        let types = &self.model.types;
+        match types.value_type(types.named_type(declared)) {
             TypeId::ERROR => Inferred::Error,
             ty => Inferred::Known(ty),
         }
@@ -81,6 +83,7 @@ impl<'m> Lowering<'m> {
         match self.enumerated_name(name.text) {
             Some(EnumeratedName::One(ty, _)) => Inferred::Known(ty),
             Some(EnumeratedName::Several) => Inferred::Enumerated,
+            None if self.is_null(name.text) => Inferred::Known(TypeId::ADDRESS),
             None => match self.own_instance_of(id) {
                 Some(own) => self.inferred_of(self.model.pous[own.pou as usize].ty),
                 None => self.infer_property(id),
@@ -140,6 +143,9 @@ impl<'m> Lowering<'m> {
         };
         match self.model.types.kind(ty) {
             TypeKind::Array(shape) if shape.dimensions.len() == subscripts => self.inferred_of(shape.element),
+            TypeKind::Pointer(pointer) if self.has_elements(*pointer, subscripts) => {
+                self.inferred_of(pointer.target)
+            }
             _ => Inferred::Error,
         }
     }

@@ -230,8 +230,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn fields(&mut self, location: Location, ty: TypeId, fields: &'m [(Name<'m>, Initializer<'m>)]) {
-        let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.model.types.kind(ty)
-        else {
+        let Some(structure) = self.model.types.structure(ty) else {
             return;
         };
         let mut given = rustc_hash::FxHashSet::default();

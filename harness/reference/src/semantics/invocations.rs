@@ -96,6 +96,7 @@ impl<'m> Lowering<'m> {
         let Some(place) = self.place(instance) else {
             return self.lower_arguments(arguments);
         };
+        let place = self.located(place);
         let location = self.pinned(place.location, span);
         let Some(bound) = self.bind(pou, arguments, span) else {
             return;
@@ -191,6 +192,7 @@ impl<'m> Lowering<'m> {
                 "VAR_IN_OUT needs a variable that can be written",
             );
         }
+        let place = self.located(place);
         self.push_address(place.location);
     }
 
@@ -224,6 +226,7 @@ impl<'m> Lowering<'m> {
             if place.constant {
                 self.refuse_constant(target);
             } else if sound && self.is_aggregate(output.ty) {
+                let place = self.located(place);
                 self.push_address(place.location);
                 self.push_address(output.location);
                 self.finish_store(place, span);

@@ -48,13 +48,12 @@ impl PathListing<'_> {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
                 self.members(structure, &path)
             }
-            TypeKind::Alias | TypeKind::Interface(_) | TypeKind::Error => {}
+            TypeKind::Pointer(_) | TypeKind::Alias | TypeKind::Interface(_) | TypeKind::Error => {}
         }
     }
 
     fn members(&mut self, structure: &Structure, path: &str) {
-        let base = structure.base.map(|base| self.types.kind(base));
-        if let Some(TypeKind::Structure(base) | TypeKind::FunctionBlock(base)) = base {
+        if let Some(base) = structure.base.and_then(|base| self.types.structure(base)) {
             self.members(base, path);
         }
         for (name, member) in structure.members.iter() {

@@ -8,11 +8,12 @@ use super::inferred::{Inferred, Magnitude};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
 use crate::instruction::Instruction;
+use std::borrow::Cow;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, quoted};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Literal, LiteralKind};
 use stickler_types::dialect::Dialect;
-use stickler_types::{Code, ElementaryType, Family, LiteralError, literal};
+use stickler_types::{Code, ElementaryType, Family, LiteralError, MomentUnits, literal};
 
 /// A literal with the sign that stands directly before it.
 #[derive(Clone, Copy)]
@@ -136,15 +137,17 @@ pub(super) fn read_literal(
             integer_literal(signed, ty, text, dialect.literals_by_width).map(LiteralValue::Plain)
         }
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
-        Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => read(signed, ty)
-            .or_else(|error| {
-                read(signed, ElementaryType::Lreal)
-                    .map(as_real)
-                    .map_err(|_| error)
-            })
-            .map(LiteralValue::Plain)
-            .map_err(|error| misread(signed, ty, text, error)),
-        _ => read(signed, ty)
+        Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => {
+            read(signed, ty, dialect)
+                .or_else(|error| {
+                    read(signed, ElementaryType::Lreal, dialect)
+                        .map(as_real)
+                        .map_err(|_| error)
+                })
+                .map(LiteralValue::Plain)
+                .map_err(|error| misread(signed, ty, text, error))
+        }
+        _ => read(signed, ty, dialect)
             .map(LiteralValue::Plain)
             .map_err(|error| misread(signed, ty, text, error)),
     }
@@ -253,7 +256,7 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
 }
 
 /// Reads a literal whose raw form is neither an integer nor a text.
-fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
+fn read(signed: Signed<'_>, ty: ElementaryType, dialect: &Dialect) -> Result<u64, LiteralError> {
     let text = signed.literal.text();
     match ty.family() {
         Family::Real => {
@@ -265,7 +268,19 @@ fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
             };
             Ok(if signed.negative { raw ^ sign } else { raw })
         }
-        Family::Duration => literal::duration(text).map(i64::cast_unsigned),
+        Family::Duration => {
+            let nanoseconds = literal::wide_duration(text)?;
+            let is_fine = text.contains(['u', 'U', 'n', 'N']) && ty == ElementaryType::Time;
+            if is_fine && !dialect.fine_time_literals {
+                let expected = "milliseconds, the least unit of TIME";
+                return Err(LiteralError::Malformed { at: 0, expected });
+            }
+            // There LTIME is a count without a sign.
+            let is_count = ty.is_third_edition() && dialect.conversions.moment_units == MomentUnits::Counts;
+            let fits = i64::try_from(nanoseconds).is_ok() || is_count && u64::try_from(nanoseconds).is_ok();
+            let beyond = LiteralError::Overflow { at: 0, range: "" };
+            fits.then_some(nanoseconds as u64).ok_or(beyond)
+        }
         Family::Date => literal::date(text).map(i64::cast_unsigned),
         Family::TimeOfDay => literal::time_of_day(text).map(i64::cast_unsigned),
         _ => literal::date_and_time(text).map(i64::cast_unsigned),
@@ -280,7 +295,7 @@ fn as_real(raw: u64) -> u64 {
 /// Reads a number as a real, rounded once from its digits.
 pub(super) fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     match literal.kind {
-        LiteralKind::Real => literal::real(literal.text(), ty),
+        LiteralKind::Real => literal::real(&with_point(literal.text()), ty),
         LiteralKind::Integer => literal::real(&format!("{}.0", literal.text()), ty),
         _ => {
             let value = literal::unsigned_integer(literal.text())?;
@@ -319,5 +334,15 @@ pub(super) fn text_type(wide: bool) -> ElementaryType {
         ElementaryType::Wstring
     } else {
         ElementaryType::String
+    }
+}
+
+/// Returns a real number with the point that some dialects let it do without: `1.0E5` for `1E5`.
+fn with_point(text: &str) -> Cow<'_, str> {
+    match text.find(['e', 'E']) {
+        Some(exponent) if !text.contains('.') => {
+            format!("{}.0{}", &text[..exponent], &text[exponent..]).into()
+        }
+        _ => text.into(),
     }
 }

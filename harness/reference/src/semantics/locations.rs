@@ -20,6 +20,15 @@ pub(super) enum Location {
     InstancePointer { cell: u32, offset: u32 },
     /// At the address on top of the stack, which can be used once.
     Stack,
+    /// At the address in bytes on top of the stack, which can be used once: behind a reference or pointer.
+    Bytes,
+}
+
+impl Location {
+    /// Returns whether the address is on the stack.
+    pub(super) const fn is_on_stack(self) -> bool {
+        matches!(self, Location::Stack | Location::Bytes)
+    }
 }
 
 /// A variable, an element of one, or a part of its bits.
@@ -87,12 +96,17 @@ impl Lowering<'_> {
         matches!(self.cells(ty), CellKind::Many(_))
     }
 
+    /// Returns whether a place is read and written byte by byte.
+    fn is_peeked(&self, place: VariablePlace) -> bool {
+        place.location == Location::Bytes && place.part.is_none() && self.cells(place.ty) == CellKind::Plain
+    }
+
     /// Returns whether values of a type are texts.
     pub(super) fn is_text(&self, ty: TypeId) -> bool {
         self.cells(ty) == CellKind::Text
     }
 
-    /// The location some cells further on.
+    /// The location some cells, or bytes, further on.
     pub(super) fn shifted(&mut self, location: Location, by: u32) -> Location {
         match location {
             Location::Absolute(address) => Location::Absolute(address.saturating_add(by)),
@@ -105,9 +119,9 @@ impl Lowering<'_> {
                 cell,
                 offset: offset.saturating_add(by),
             },
-            Location::Stack => {
+            Location::Stack | Location::Bytes => {
                 self.offset(by);
-                Location::Stack
+                location
             }
         }
     }
@@ -132,7 +146,7 @@ impl Lowering<'_> {
                 self.emit(Instruction::Dereference);
                 self.offset(offset);
             }
-            Location::Stack => {}
+            Location::Stack | Location::Bytes => {}
         }
     }
 
@@ -148,6 +162,12 @@ impl Lowering<'_> {
 
     /// Puts what lies somewhere on the stack; of an aggregate, its address.
     pub(super) fn load(&mut self, place: VariablePlace) -> LoweredValue {
+        if self.is_peeked(place) {
+            let layout = self.layout(place.ty);
+            self.emit(Instruction::Peek(layout));
+            return LoweredValue::computed(self.model.types.value_type(place.ty));
+        }
+        let place = self.located(place);
         match (self.cells(place.ty), place.location) {
             (CellKind::Many(_), location) => self.push_address(location),
             (CellKind::Text, location) => {
@@ -170,7 +190,10 @@ impl Lowering<'_> {
     pub(super) fn begin_store(&mut self, place: VariablePlace) {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {
-            _ if place.location == Location::Stack => {}
+            _ if self.is_peeked(place) => {}
+            _ if place.location.is_on_stack() => {
+                self.located(place);
+            }
             _ if place.part.is_some() => self.push_address(place.location),
             CellKind::Text => {}
             CellKind::Plain if known => {}
@@ -180,6 +203,10 @@ impl Lowering<'_> {
 
     /// Stores the value on the stack, [`Self::begin_store`] having come before it.
     pub(super) fn finish_store(&mut self, place: VariablePlace, span: Span) {
+        if self.is_peeked(place) {
+            let layout = self.layout(place.ty);
+            return self.emit_at(span, Instruction::Poke(layout));
+        }
         if let (Some(part), Some(of)) = (place.part, self.model.elementary(place.ty)) {
             return self.store_part(place, part, of, span);
         }
@@ -213,6 +240,9 @@ impl Lowering<'_> {
     /// are checked.
     pub(super) fn store(&mut self, place: VariablePlace, span: Span) {
         let known = matches!(place.location, Location::Absolute(_));
+        if !self.is_peeked(place) {
+            self.located(place);
+        }
         match self.cells(place.ty) {
             CellKind::Text => {}
             CellKind::Plain if known && place.part.is_none() => {}
@@ -231,7 +261,7 @@ impl Lowering<'_> {
     fn store_part(&mut self, place: VariablePlace, part: Part, of: ElementaryType, span: Span) {
         self.emit(Instruction::StorePart { part, of });
         if let TypeKind::Subrange(limits) = *self.model.types.kind(place.ty)
-            && place.location != Location::Stack
+            && !place.location.is_on_stack()
         {
             self.load(VariablePlace { part: None, ..place });
             self.emit_at(span, check_range(limits));

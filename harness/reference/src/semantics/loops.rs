@@ -72,7 +72,7 @@ impl<'m> Lowering<'m> {
             self.refuse_constant(control);
         }
         let elementary = self.model.elementary(place.content());
-        let Some(ty) = elementary.filter(|ty| ty.is_integer()) else {
+        let Some(ty) = elementary.and_then(|ty| self.counting(ty)) else {
             let name = self.model.types.name(place.content());
             let message = format!("the control variable of FOR is an integer, not {name}");
             self.report(Code::AssignmentTypeMismatch, self.span(control), message);

@@ -4,8 +4,9 @@
 //! wrong is said once, and nothing is said about what follows from something wrong. Once anything has been
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
+use super::address_layouts::AddressLayouts;
 use super::common::TypeRules;
-use super::emitter::{Emitter, Loop};
+use super::emitter::{Emitter, Jump, Loop};
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{DeclaredVariable, Model, PouEntry};
@@ -23,6 +24,8 @@ pub(super) struct Lowering<'m> {
     pub(super) reporter: &'m mut Reporter,
     pub(super) emitter: Emitter,
     pub(super) memory: MemoryLayout,
+    /// How values lie behind references and pointers.
+    pub(super) addresses: AddressLayouts,
     /// The inferred type of each expression.
     pub(super) inferred: Vec<Inferred>,
     /// The POU whose code is being made; `None` for what belongs to the top level.
@@ -37,6 +40,10 @@ pub(super) struct Lowering<'m> {
     pub(super) calls: Vec<(u32, u32, Span)>,
     /// The pairs in `calls`.
     pub(super) known_calls: FxHashSet<(u32, u32)>,
+    /// The call of a conversion that is all that is assigned, where one that fails leaves the variable as it is.
+    pub(super) fallible: Option<Span>,
+    /// The jump of that conversion where it fails.
+    pub(super) failed: Option<Jump>,
     /// The number of messages that may still look for a similar name, which takes time.
     pub(super) guesses: u32,
 }
@@ -80,6 +87,7 @@ impl<'m> Lowering<'m> {
             reporter,
             emitter: Emitter::default(),
             memory,
+            addresses: AddressLayouts::default(),
             inferred: Vec::new(),
             pou: None,
             visible: u32::MAX,
@@ -87,6 +95,8 @@ impl<'m> Lowering<'m> {
             loops: Vec::new(),
             calls: Vec::new(),
             known_calls: FxHashSet::default(),
+            fallible: None,
+            failed: None,
             guesses: 20,
         }
     }

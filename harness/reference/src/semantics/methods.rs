@@ -15,7 +15,7 @@ use super::model::{Member, PouEntry};
 use super::types::{TypeId, TypeKind};
 use crate::instruction::{Instruction, MachineProgram};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Access, ExpressionId, ExpressionKind, PouKind, VariableKind};
+use stickler_syntax::tree::{Access, ExpressionId, ExpressionKind, PouKind, VariableKind, own_instance};
 use stickler_types::Code;
 
 /// The instance whose code is running, by THIS or SUPER.
@@ -68,11 +68,8 @@ impl<'m> Lowering<'m> {
         let ExpressionKind::Name(name) = self.expression(self.model.source.bare(id)).kind else {
             return None;
         };
-        let word = name.text.trim_end_matches('^');
-        let is_super = word.eq_ignore_ascii_case("SUPER");
-        if !is_super && !word.eq_ignore_ascii_case("THIS") || self.variable(name.text).is_some() {
-            return None;
-        }
+        let word = own_instance(name.text).filter(|_| self.variable(name.text).is_none())?;
+        let is_super = word == "SUPER";
         let feature = if is_super { "super" } else { "this" };
         // A method and `^` have been refused before where the dialect lacks them.
         let is_first = self.entry()?.owner.is_none() && !name.text.ends_with('^');
@@ -252,6 +249,7 @@ impl<'m> Lowering<'m> {
             }
             Receiver::Instance(id) => {
                 let place = self.place(id)?;
+                let place = self.located(place);
                 self.pinned(place.location, span)
             }
         };

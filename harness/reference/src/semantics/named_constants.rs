@@ -96,13 +96,13 @@ impl<'u> Declarer<'u, '_> {
         for _ in 0..MAX_CHAIN {
             let name = match kind {
                 TypeSpecificationKind::Named(name) | TypeSpecificationKind::Subrange { base: name, .. } => {
-                    *name
+                    name.unqualified()
                 }
                 TypeSpecificationKind::Text { name, length } => return self.written_text(*name, *length),
                 TypeSpecificationKind::Error => return ConstantType::Unknown,
                 _ => return ConstantType::Other,
             };
-            let elementary = ElementaryType::from_name(name.text);
+            let elementary = self.model.source.dialect.elementary(name.text);
             let named = match self.model.definitions.get(&CaseFolded(name.text)) {
                 _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
                 Some(&TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),

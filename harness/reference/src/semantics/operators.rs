@@ -6,6 +6,7 @@
 use super::common::TypeRules;
 use super::contexts::elementary_value;
 use super::inferred::Inferred;
+use super::places::counting;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
@@ -83,8 +84,10 @@ impl TypeRules<'_> {
         if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
             return OperatorSignature::Silent;
         }
+        let (left, right) = (self.address(left), self.address(right));
         let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
+            OperatorGroup::Power if self.dialect.integers_as_lreal => self.power(left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.
             OperatorGroup::Power if left == Inferred::Real && is_integer(right) => {
                 return OperatorSignature::Untyped(Inferred::Real);
@@ -162,10 +165,20 @@ impl TypeRules<'_> {
         let action = match (common.elementary(), self.types.kind(common)) {
             (Some(ty), _) if ty.is_text() => Action::CompareText(operator),
             (Some(ty), _) => Action::Compare(operator, ty),
-            (None, TypeKind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
+            (None, TypeKind::Enumeration(_) | TypeKind::Pointer(_)) if equality => {
+                Action::Compare(operator, ElementaryType::Lint)
+            }
             _ => return None,
         };
         Some(TypedOperation::new((common, common), action, TypeId::BOOL))
+    }
+
+    /// Returns an address as the number that it may count as, and any other value as it is.
+    fn address(self, value: Inferred) -> Inferred {
+        match value {
+            Inferred::Known(ty) if self.types.pointer(ty).is_some() => self.number(value),
+            _ => value,
+        }
     }
 
     /// Returns a value of an enumeration as the number that it may count as, and any other as it is.
@@ -242,6 +255,7 @@ impl TypeRules<'_> {
 
     /// A duration multiplied or divided by a number, or a number by which a duration is multiplied.
     fn scale(self, operator: ArithmeticOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        let is_number = |ty: ElementaryType| ty.is_real() || counting(ty, self.dialect).is_some();
         let (duration, number, swapped) = match (left.elementary(), right.elementary()) {
             (Some(ty), other) if ty.is_duration() && other.is_none_or(is_number) => (ty, right, false),
             (other, Some(ty)) if ty.is_duration() && other.is_none_or(is_number) => (ty, left, true),
@@ -265,7 +279,7 @@ impl TypeRules<'_> {
         };
         let action = Action::Scale {
             operator,
-            number,
+            number: counting(number, self.dialect).unwrap_or(number),
             swapped,
         };
         defined.then_some(TypedOperation::new((left, right), action, duration))
@@ -298,8 +312,11 @@ impl TypeRules<'_> {
         ))
     }
 
-    /// The base's type is the result's; the exponent is any number.
+    /// The base's type is the result's; the exponent is any number. An integer is the base of a real exponent as the real that it converts to.
     fn power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        if self.dialect.integers_as_lreal {
+            return self.long_power(left, right);
+        }
         let exponent = match right {
             Inferred::Integer(magnitude) => magnitude.ty(),
             Inferred::Real => left
@@ -315,12 +332,39 @@ impl TypeRules<'_> {
             Inferred::Integer(_) => exponent,
             Inferred::Real if exponent.is_real() => exponent,
             Inferred::Real => ElementaryType::Lreal,
-            _ => left.elementary().filter(|&ty| is_number(ty))?,
+            _ => {
+                let base = left.elementary().filter(|&ty| is_number(ty))?;
+                let mut reals = [exponent, ElementaryType::Lreal].into_iter();
+                let real = reals.find(|&real| {
+                    exponent.is_real() && base.is_integer() && implicit(base, real, self.dialect).is_some()
+                });
+                real.unwrap_or(base)
+            }
         };
         Some(TypedOperation::new(
             (TypeId::of(base), TypeId::of(exponent)),
             Action::Power { base, exponent },
             TypeId::of(base),
+        ))
+    }
+
+    /// The power of two REAL is one, and that of any other numbers an LREAL.
+    fn long_power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        let is_real = |value: Inferred| value.elementary() == Some(ElementaryType::Real);
+        let is_taken =
+            |value: Inferred| value.is_untyped_number() || value.elementary().is_some_and(is_number);
+        let is_short = is_real(left) && (is_real(right) || right == Inferred::Real)
+            || is_real(right) && left == Inferred::Real;
+        let ty = if is_short {
+            ElementaryType::Real
+        } else {
+            ElementaryType::Lreal
+        };
+        let (base, exponent) = (ty, ty);
+        (is_taken(left) && is_taken(right)).then_some(TypedOperation::new(
+            (TypeId::of(ty), TypeId::of(ty)),
+            Action::Power { base, exponent },
+            TypeId::of(ty),
         ))
     }
 

@@ -41,6 +41,7 @@ impl<'u> Declarer<'u, '_> {
             };
             self.nodes[node].id = Some(id);
         }
+        self.resolve_pointers();
     }
 
     fn report_cycle(&mut self, span: Span, members: &[usize]) {
@@ -160,7 +161,7 @@ struct Needs<'a, 'u> {
 impl Needs<'_, '_> {
     fn specification(&mut self, specification: &TypeSpecification<'_>) {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.name(*name),
+            TypeSpecificationKind::Named(name) => self.name(name.unqualified()),
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
             TypeSpecificationKind::Structure(groups) => {
@@ -168,7 +169,9 @@ impl Needs<'_, '_> {
                     .iter()
                     .for_each(|group| self.specification(&group.specification));
             }
-            TypeSpecificationKind::Text { .. }
+            // What leads to a value does not contain it.
+            TypeSpecificationKind::Pointer { .. }
+            | TypeSpecificationKind::Text { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Error => {}
         }

@@ -12,7 +12,7 @@ use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
-use stickler_types::dialect::PartialAccess;
+use stickler_types::dialect::{Dialect, PartialAccess};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -23,7 +23,12 @@ impl<'m> Lowering<'m> {
         }
         match self.place(id) {
             Some(place) => {
+                let before = self.emitter.line();
+                if place.location == Location::Bytes {
+                    self.set_line(self.span(id));
+                }
                 let value = self.load(place);
+                self.emitter.set_line(before);
                 if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
                     self.emitter.record(id, UseKind::BitRead { of });
                 }
@@ -36,6 +41,12 @@ impl<'m> Lowering<'m> {
     /// The place that an expression names; `None`, and a diagnostic, where it names none. Where the address is
     /// only known as the program runs, it is on the stack.
     pub(super) fn place(&mut self, id: ExpressionId) -> Option<VariablePlace> {
+        let place = self.place_itself(id)?;
+        self.followed(place)
+    }
+
+    /// The place that an expression names, of a variable that is declared with REFERENCE TO its own.
+    pub(super) fn place_itself(&mut self, id: ExpressionId) -> Option<VariablePlace> {
         let expression = self.expression(id);
         match &expression.kind {
             ExpressionKind::Name(_) | ExpressionKind::Field { .. } if self.property(id).is_some() => {
@@ -44,6 +55,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(name) => self.named_place(id, *name),
             ExpressionKind::Field { base, field } => self.field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
+            ExpressionKind::Dereference { base } => self.dereference(*base),
             ExpressionKind::Bit { base, index } => {
                 self.part(*base, ElementaryType::Bool, *index, expression.span)
             }
@@ -71,6 +83,8 @@ impl<'m> Lowering<'m> {
             "is an enumerated value, no variable".to_owned()
         } else if self.model.definitions.contains_key(&CaseFolded(name.text)) {
             "is no variable".to_owned()
+        } else if name.text.eq_ignore_ascii_case("NULL") {
+            "is the reference to nothing, which the dialect does not have".to_owned()
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
         };
@@ -96,7 +110,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::VariableUndefined, field.span, message);
             return None;
         };
-        let location = self.shifted(place.location, member.offset);
+        let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             location,
@@ -113,6 +127,12 @@ impl<'m> Lowering<'m> {
         span: Span,
     ) -> Option<VariablePlace> {
         let place = self.place(base);
+        if let Some(place) = place
+            && let Some(pointer) = self.model.types.pointer(place.content())
+            && self.has_elements(pointer, subscripts.len())
+        {
+            return self.pointer_element(place, pointer, subscripts[0]);
+        }
         let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
             TypeKind::Array(shape) => Some(&**shape),
             _ => None,
@@ -146,7 +166,12 @@ impl<'m> Lowering<'m> {
         subscripts: &[ExpressionId],
     ) -> Option<VariablePlace> {
         let mut location = place.location;
+        let sizes = (place.location == Location::Bytes).then(|| self.sizes(shape.element));
         for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
+            let mut dimension = dimension;
+            if let Some((bytes, cells)) = sizes {
+                dimension.stride = dimension.stride / cells * bytes;
+            }
             location = self.subscript(location, subscript, dimension);
         }
         for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
@@ -166,18 +191,20 @@ impl<'m> Lowering<'m> {
     fn subscript(&mut self, location: Location, id: ExpressionId, dimension: Dimension) -> Location {
         let Dimension { low, high, stride } = dimension;
         let before = self.emitter.position();
-        if location != Location::Stack {
-            self.push_address(location);
-        }
+        self.push_address(location);
+        let reached = match location {
+            Location::Bytes => Location::Bytes,
+            _ => Location::Stack,
+        };
         let Some(value) = self.integer(id, ElementaryType::Lint, ValueContext::Integer) else {
-            return Location::Stack;
+            return reached;
         };
         let span = self.span(id);
         if let Some(number) = value.constant {
             if number < low.into() || number > high.into() {
                 let message = format!("subscript {number} is outside {low}..{high}");
                 self.report(Code::ArrayIndexOutOfBounds, span, message);
-                return Location::Stack;
+                return reached;
             }
             // A constant's code is a push or two, and it stands last.
             self.emitter.truncate(before);
@@ -195,7 +222,7 @@ impl<'m> Lowering<'m> {
                 unsigned,
             },
         );
-        Location::Stack
+        reached
     }
 
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
@@ -210,7 +237,7 @@ impl<'m> Lowering<'m> {
         let inferred = self.infer(id);
         let wanted = TypeId::of(wanted);
         let fits = match inferred {
-            Inferred::Known(ty) => ty.elementary().is_some_and(ElementaryType::is_integer),
+            Inferred::Known(ty) => ty.elementary().is_some_and(|ty| self.counting(ty).is_some()),
             Inferred::Integer(_) | Inferred::Error | Inferred::Pending | Inferred::Enumerated => true,
             Inferred::Nothing | Inferred::Real | Inferred::Text { .. } => false,
         };
@@ -219,7 +246,14 @@ impl<'m> Lowering<'m> {
             self.report_lowered_misfit(id, inferred, value, wanted, context);
             return None;
         }
-        (value.ty != TypeId::ERROR).then_some(value)
+        let ty = value.ty.elementary().and_then(|ty| self.counting(ty));
+        let ty = ty.map_or(value.ty, TypeId::of);
+        (value.ty != TypeId::ERROR).then_some(LoweredValue { ty, ..value })
+    }
+
+    /// As [`counting`], in the dialect of the text.
+    pub(super) fn counting(&self, ty: ElementaryType) -> Option<ElementaryType> {
+        counting(ty, self.model.source.dialect)
     }
 
     /// A part of a variable's bits, or of such a part. One that the type does not have is a BOOL, BYTE, WORD or DWORD all the same,
@@ -282,6 +316,7 @@ impl<'m> Lowering<'m> {
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = if limited {
+            let place = self.located(place);
             self.pinned(place.location, span)
         } else {
             place.location
@@ -304,8 +339,18 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(_)
                 | ExpressionKind::Field { .. }
                 | ExpressionKind::Index { .. }
+                | ExpressionKind::Dereference { .. }
                 | ExpressionKind::Bit { .. }
                 | ExpressionKind::Part { .. }
         )
     }
+}
+
+/// Returns the integer type of values by which things are counted and selected: the unsigned one of bit strings, where the dialect takes them.
+pub(super) fn counting(ty: ElementaryType, dialect: &Dialect) -> Option<ElementaryType> {
+    if !ty.is_bit_string() || !dialect.bit_strings_as_integers {
+        return ty.is_integer().then_some(ty);
+    }
+    let mut all = ElementaryType::ALL.into_iter();
+    all.find(|other| other.is_unsigned() && other.bits() == ty.bits())
 }

@@ -47,6 +47,7 @@ impl<'m> Lowering<'m> {
         self.report_recursion();
         let (memory, texts) = (self.memory.cells(), std::mem::take(&mut self.memory.texts));
         let uses = self.emitter.uses();
+        let addresses = self.address_map();
         let program = MachineProgram {
             startup,
             scan,
@@ -54,6 +55,7 @@ impl<'m> Lowering<'m> {
             texts,
             methods: methods.methods,
             bases: methods.bases,
+            addresses,
             ..self.emitter.finish()
         };
         (program, uses)

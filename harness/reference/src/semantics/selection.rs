@@ -55,11 +55,11 @@ impl<'m> Lowering<'m> {
         let span = self.span(id);
         let cell = self.temporary(span);
         self.emit(Instruction::Store(cell));
-        let integer = value.ty.elementary().filter(|ty| ty.is_integer());
+        let integer = value.ty.elementary().and_then(|ty| self.counting(ty));
         if let Some(of) = integer {
             return CaseSelector {
                 cell,
-                ty: value.ty,
+                ty: TypeId::of(of),
                 of,
             };
         }

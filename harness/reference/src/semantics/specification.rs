@@ -7,6 +7,7 @@ use super::scope::NamedList;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
 };
+use crate::library::is_not_implemented;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     CaseFolded, ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
@@ -25,15 +26,20 @@ impl<'u> Declarer<'u, '_> {
         hint: &'u str,
     ) -> TypeId {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.named(*name),
+            TypeSpecificationKind::Named(name) => self.named(name.unqualified()),
             TypeSpecificationKind::Text { name, length } => self.text(*name, *length),
             TypeSpecificationKind::Subrange { base, limits } => {
                 self.subrange(*base, *limits, specification.span)
             }
             TypeSpecificationKind::Array { dimensions, element } => {
+                let element_span = element.span;
                 let element = self.specification(element, hint);
+                if self.model.types.named_type(element) != element {
+                    self.check_nested(element, element_span);
+                }
                 self.array(dimensions, element, specification.span)
             }
+            TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
             TypeSpecificationKind::Structure(groups) => {
                 self.structure(None, groups, hint, specification.span)
@@ -58,7 +64,7 @@ impl<'u> Declarer<'u, '_> {
     /// Basis: ironplc-problem-codes: P2008; P0010 for types of the third edition where the dialect lacks them,
     /// unless the text declares a type of that name.
     pub(super) fn named(&mut self, name: Name<'u>) -> TypeId {
-        let elementary = ElementaryType::from_name(name.text);
+        let elementary = self.model.source.dialect.elementary(name.text);
         if let Some(ty) = elementary
             && !ty.is_third_edition()
         {
@@ -81,6 +87,10 @@ impl<'u> Declarer<'u, '_> {
                 self.later = true;
             }
             None if name.text.is_empty() => {}
+            None if is_not_implemented(name.text) => {
+                let message = format!("`{}` is standard, and not implemented", name.text);
+                self.report(Code::NotImplemented, name.span, message);
+            }
             None => {
                 let message = format!("type `{}` is not declared", name.text);
                 self.report(Code::UndeclaredUnknownType, name.span, message);

@@ -11,9 +11,9 @@ use super::promotion::PromotedOperands;
 use super::standard_signatures::{StandardInput, StandardOperation, StandardSignature};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::instruction::{Instruction, LogicOperator, StandardFunction};
+use crate::instruction::{ArithmeticOperator, Instruction, LogicOperator, StandardFunction};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionId};
+use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId};
 use stickler_types::dialect::ShiftCounts;
 use stickler_types::{Code, ElementaryType, GenericType};
 
@@ -43,9 +43,12 @@ impl<'m> Lowering<'m> {
             return Inferred::Error;
         };
         match signature.operation {
-            StandardOperation::Function(function, _) if function.counts() => {
-                Inferred::from(ElementaryType::Int)
+            StandardOperation::Function(function, _) if function.own_result().is_some() => {
+                function.own_result().map_or(Inferred::Error, Inferred::from)
             }
+            StandardOperation::Scaled(_, duration) => Inferred::from(duration),
+            StandardOperation::Compose(moment) => Inferred::from(moment),
+            StandardOperation::Nanoseconds => Inferred::from(ElementaryType::Lint),
             StandardOperation::Function(function, of) => {
                 self.infer_common((function, of), &signature.common(&values))
             }
@@ -77,9 +80,12 @@ impl<'m> Lowering<'m> {
             (StandardFunction::Real(_), Inferred::Integer(_)) => Inferred::Real,
             (StandardFunction::Real(_), Inferred::Known(_)) => {
                 let dialect = self.model.source.dialect;
+                let takes = |real: &ElementaryType| {
+                    let is_short = *real == ElementaryType::Real && dialect.integers_as_lreal;
+                    !is_short && of.is_some_and(|of| implicit(of, *real, dialect).is_some())
+                };
                 let mut reals = [ElementaryType::Real, ElementaryType::Lreal].into_iter();
-                let real = reals.find(|real| of.is_some_and(|of| implicit(of, *real, dialect).is_some()));
-                real.map_or(common, Inferred::from)
+                reals.find(takes).map_or(common, Inferred::from)
             }
             _ => common,
         }
@@ -106,7 +112,10 @@ impl<'m> Lowering<'m> {
             return of == GenericType::Any && matches!(self.model.types.kind(ty), TypeKind::Enumeration(_));
         };
         let shifts_integer = function.moves_bits() && elementary.is_integer();
-        of.contains(elementary) || shifts_integer && self.model.source.dialect.functions_promote
+        let swaps_number = function == StandardFunction::SwapBytes && GenericType::Num.contains(elementary);
+        of.contains(elementary)
+            || swaps_number
+            || shifts_integer && self.model.source.dialect.functions_promote
     }
 
     /// Returns whether a standard function is defined for what an argument is.
@@ -136,8 +145,46 @@ impl<'m> Lowering<'m> {
             }
             StandardOperation::Operator(operator) => self.call_operator(call, operator, &values, wanted),
             StandardOperation::Prefix(operator) => self.unary(call, operator, values[0], wanted),
+            StandardOperation::Scaled(operator, duration) => {
+                self.call_scaled(call, operator, duration, &values)
+            }
+            StandardOperation::Compose(moment) => {
+                for &value in &values {
+                    self.integer_argument(value);
+                }
+                self.emit_standard(call, StandardFunction::Compose, moment, values.len());
+                LoweredValue::of(moment)
+            }
             StandardOperation::Move => self.value(values[0], wanted),
+            StandardOperation::Nanoseconds => {
+                self.value(values[0], None);
+                LoweredValue::of(ElementaryType::Lint)
+            }
         }
+    }
+
+    /// Multiplies a duration of a type by a number, or divides it.
+    fn call_scaled(
+        &mut self,
+        call: ExpressionId,
+        operator: BinaryOperator,
+        duration: ElementaryType,
+        values: &[ExpressionId],
+    ) -> LoweredValue {
+        let given = self.infer(values[0]);
+        if !self.rules().goes_with(given, TypeId::of(duration)) {
+            self.coerce(values[0], TypeId::of(duration), ValueContext::Argument);
+            self.value(values[1], None);
+            return LoweredValue::ERROR;
+        }
+        let scaled = self.call_operator(call, operator, values, None);
+        if self.model.source.dialect.scaled_to_milliseconds && duration == ElementaryType::Time {
+            for operator in [ArithmeticOperator::Divide, ArithmeticOperator::Multiply] {
+                self.emit(Instruction::Push(1_000_000));
+                self.emit(Instruction::Arithmetic(operator, duration));
+            }
+        }
+        scaled
     }
 
     /// Calls a standard function that the machine knows.
@@ -180,13 +227,18 @@ impl<'m> Lowering<'m> {
         let computed = match function {
             StandardFunction::Abs if keeps => StandardFunction::FiniteAbs,
             StandardFunction::Limit if keeps => StandardFunction::FiniteLimit,
+            StandardFunction::Part(part, _) => {
+                StandardFunction::Part(part, self.model.source.dialect.text_positions)
+            }
+            StandardFunction::Real(function) if self.model.source.dialect.division_stops => {
+                StandardFunction::RealOrStop(function)
+            }
             _ => function,
         };
         self.emit_standard(call, computed, of, common.len());
-        match function.counts() {
-            true => LoweredValue::of(ElementaryType::Int),
-            false => LoweredValue::computed(ty),
-        }
+        function
+            .own_result()
+            .map_or(LoweredValue::computed(ty), LoweredValue::of)
     }
 
     /// Adds the instruction of a standard function over `count` values of a type.
@@ -342,7 +394,7 @@ impl<'m> Lowering<'m> {
         };
         let usual = TypeId::of(usual);
         let wanted = match function.0 {
-            function if function.counts() => Some(usual),
+            function if function.own_result().is_some() => Some(usual),
             _ => wanted.filter(|&ty| self.takes(function, ty)),
         };
         let Some(target) = wanted else {

@@ -1,11 +1,12 @@
 //! The table of the standard functions that are no conversions: what each computes, and of which inputs.
 //!
-//! Basis: iec-61131-3: Tables 28 to 34.
+//! Basis: iec-61131-3: Tables 28 to 39.
 
 use super::parameters::ParameterList;
-use crate::instruction::{RealFunction, StandardFunction};
+use crate::instruction::{RealFunction, StandardFunction, TextPart};
 use std::fmt::{Debug, Formatter, Result};
 use stickler_syntax::tree::{BinaryOperator, UnaryOperator};
+use stickler_types::dialect::TextPositions;
 use stickler_types::{ElementaryType, GenericType};
 
 /// A standard function.
@@ -28,8 +29,14 @@ pub(super) enum StandardOperation {
     Operator(BinaryOperator),
     /// The operation of a prefix operator.
     Prefix(UnaryOperator),
+    /// The operation of an infix operator on a duration of the type and a number.
+    Scaled(BinaryOperator, ElementaryType),
+    /// A moment of the type, of the numbers that it consists of.
+    Compose(ElementaryType),
     /// None: the result is the input.
     Move,
+    /// None: the result is the number of nanoseconds by which a moment is stored. For the functions that are written in `library`.
+    Nanoseconds,
 }
 
 /// The types that an input of a standard function takes.
@@ -73,11 +80,20 @@ const TEXT_AND_RANGE: (ParameterList, &[StandardInput]) = (
     ],
 );
 
-/// All standard functions that are no conversions.
-pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 47] = {
+const DATE_FIELDS: ParameterList = ParameterList::exactly(&["YEAR", "MONTH", "DAY"]);
+const TIME_FIELDS: ParameterList = ParameterList::exactly(&["HOUR", "MINUTE", "SECOND", "MILLISECOND"]);
+const DATE_AND_TIME_FIELDS: ParameterList =
+    ParameterList::exactly(&["YEAR", "MONTH", "DAY", "HOUR", "MINUTE", "SECOND", "MILLISECOND"]);
+
+/// All standard functions that are no conversions, but for those that are written in Structured Text in `library`.
+pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 66] = {
     use BinaryOperator as Operator;
-    use GenericType::{Any, Bit, Elementary, Num, String};
+    use ElementaryType::{Date, Dt, Ldate, Ldt, Ltime, Ltod, Time, Tod};
+    use GenericType::{Any, Bit, Elementary, Num, Real, String};
     use StandardFunction as Function;
+    const fn part(part: TextPart) -> Function {
+        Function::Part(part, TextPositions::Clipped)
+    }
     const GATE: &[StandardInput] = &[StandardInput::Exactly(ElementaryType::Bool)];
     const TWO_AND_POSITION: &[StandardInput] = &[
         StandardInput::Common,
@@ -145,23 +161,42 @@ pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 47] = {
         operator(Operator::NotEqual, TWO),
         function("LEN", Function::Len, String, (ONE, &[])),
         function("CONCAT", Function::Concat, String, (SEVERAL, &[])),
-        function("LEFT", Function::Left, String, TEXT_AND_LENGTH),
-        function("RIGHT", Function::Right, String, TEXT_AND_LENGTH),
-        function("MID", Function::Mid, String, TEXT_AND_RANGE),
+        function("LEFT", part(TextPart::Left), String, TEXT_AND_LENGTH),
+        function("RIGHT", part(TextPart::Right), String, TEXT_AND_LENGTH),
+        function("MID", part(TextPart::Mid), String, TEXT_AND_RANGE),
         function(
             "INSERT",
-            Function::Insert,
+            part(TextPart::Insert),
             String,
             (ParameterList::exactly(&["IN1", "IN2", "P"]), TWO_AND_POSITION),
         ),
-        function("DELETE", Function::Delete, String, TEXT_AND_RANGE),
+        function("DELETE", part(TextPart::Delete), String, TEXT_AND_RANGE),
         function(
             "REPLACE",
-            Function::Replace,
+            part(TextPart::Replace),
             String,
             (ParameterList::exactly(&["IN1", "IN2", "L", "P"]), TWO_AND_RANGE),
         ),
         function("FIND", Function::Find, String, (TWO, &[])),
+        scaled("MULTIME", Operator::Multiply, Time),
+        scaled("MUL_TIME", Operator::Multiply, Time),
+        scaled("MUL_LTIME", Operator::Multiply, Ltime),
+        scaled("DIVTIME", Operator::Divide, Time),
+        scaled("DIV_TIME", Operator::Divide, Time),
+        scaled("DIV_LTIME", Operator::Divide, Ltime),
+        composed("CONCAT_DATE", Date, DATE_FIELDS),
+        composed("CONCAT_LDATE", Ldate, DATE_FIELDS),
+        composed("CONCAT_TOD", Tod, TIME_FIELDS),
+        composed("CONCAT_LTOD", Ltod, TIME_FIELDS),
+        composed("CONCAT_DT", Dt, DATE_AND_TIME_FIELDS),
+        composed("CONCAT_LDT", Ldt, DATE_AND_TIME_FIELDS),
+        function("TO_BIG_ENDIAN", Function::SwapBytes, Bit, (ONE, &[])),
+        function("FROM_BIG_ENDIAN", Function::SwapBytes, Bit, (ONE, &[])),
+        row("TO_LITTLE_ENDIAN", StandardOperation::Move, (ONE, &[])),
+        row("FROM_LITTLE_ENDIAN", StandardOperation::Move, (ONE, &[])),
+        function("IS_VALID", Function::IsValid, Real, (ONE, &[])),
+        function("IS_VALID_BCD", Function::IsValidBcd, Bit, (ONE, &[])),
+        row("STICKLER_NANOSECONDS", StandardOperation::Nanoseconds, (ONE, &[])),
     ]
 };
 
@@ -196,6 +231,14 @@ const fn real(name: &'static str, of: RealFunction, parameters: ParameterList) -
     )
 }
 
+const fn scaled(name: &'static str, operator: BinaryOperator, duration: ElementaryType) -> StandardSignature {
+    row(name, StandardOperation::Scaled(operator, duration), (TWO, &[]))
+}
+
+const fn composed(name: &'static str, of: ElementaryType, parameters: ParameterList) -> StandardSignature {
+    row(name, StandardOperation::Compose(of), (parameters, &[]))
+}
+
 const fn operator(operator: BinaryOperator, parameters: ParameterList) -> StandardSignature {
     row(
         operator.function_name(),
@@ -206,7 +249,7 @@ const fn operator(operator: BinaryOperator, parameters: ParameterList) -> Standa
 
 /// Finds the standard function of a name.
 pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature> {
-    let longest = "REPLACE".len();
+    let longest = "STICKLER_NANOSECONDS".len();
     if !(2..=longest).contains(&name.len()) {
         return None;
     }

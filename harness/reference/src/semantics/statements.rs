@@ -2,13 +2,13 @@
 
 use super::contexts::ValueContext;
 use super::emitter::{Jump, Loop};
-use super::locations::VariablePlace;
+use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
-use stickler_types::Code;
+use stickler_types::{Code, TextReading};
 
 impl<'m> Lowering<'m> {
     /// Lowers statements one after the other.
@@ -22,6 +22,7 @@ impl<'m> Lowering<'m> {
     fn statement(&mut self, statement: &'m Statement) {
         match &statement.kind {
             StatementKind::Assignment { target, value } => self.assignment(*target, *value),
+            StatementKind::Binding { target, value } => self.binding(*target, *value),
             StatementKind::Call(id) => self.call_statement(*id),
             StatementKind::If { branches, otherwise } => self.if_statement(branches, otherwise.as_deref()),
             StatementKind::Case {
@@ -77,10 +78,28 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Call { .. } => ValueContext::CallResult,
             _ => ValueContext::Assignment,
         };
+        let is_loose = self.model.source.dialect.conversions.text_reading == TextReading::LooseDigits;
+        self.fallible = (is_loose && context == ValueContext::CallResult).then_some(bare.span);
         self.begin_store(place);
         self.coerce(value, place.content(), context);
         self.finish_store(place, self.span(target));
+        self.keep_after_failure(place);
         self.record_written(target, place);
+    }
+
+    /// Leads what a conversion that failed jumped with past the store, so that the variable keeps its value.
+    ///
+    /// Basis: omron-instructions: 319.
+    fn keep_after_failure(&mut self, place: VariablePlace) {
+        self.fallible = None;
+        let Some(failed) = self.failed.take() else { return };
+        let stored = self.emitter.jump();
+        self.emitter.land(failed);
+        self.emit(Instruction::Drop);
+        if place.part.is_some() || !matches!(place.location, Location::Absolute(_)) {
+            self.emit(Instruction::Drop);
+        }
+        self.emitter.land(stored);
     }
 
     /// Records that a part of a variable has been written, where the place is one.

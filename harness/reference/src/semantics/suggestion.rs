@@ -9,6 +9,7 @@ use super::similarity::{Candidate, MAX_CHANGES, distance};
 use super::standard_signatures::STANDARD_FUNCTIONS;
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
+use crate::library;
 use std::sync::LazyLock;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::ExpressionId;
@@ -129,6 +130,9 @@ fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String 
 /// Every standard function and type conversion function, the shortest names first.
 pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
     let standard = STANDARD_FUNCTIONS.iter().map(|function| function.name);
+    let standard = standard
+        .filter(|name| !name.starts_with("STICKLER"))
+        .chain(library::functions());
     let conversions = conversion::catalogue_names().iter().map(String::as_str);
     let mut all: Vec<_> = standard.chain(conversions).map(Candidate::new).collect();
     all.sort_by_key(|candidate| candidate.name.len());

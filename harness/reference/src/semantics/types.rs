@@ -4,7 +4,7 @@ use super::scope::NamedList;
 use crate::instruction::RoutineId;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
-use stickler_syntax::tree::VariableKind;
+use stickler_syntax::tree::{PointerForm, VariableKind};
 use stickler_types::ElementaryType;
 
 /// A type in the [`TypeTable`].
@@ -14,6 +14,8 @@ pub(super) struct TypeId(u32);
 impl TypeId {
     /// The type of what could not be understood: nothing more is said about it.
     pub(super) const ERROR: TypeId = TypeId(ElementaryType::ALL.len() as u32);
+    /// The type of NULL, and of the address that ADR and REF give: it goes with every reference and pointer.
+    pub(super) const ADDRESS: TypeId = TypeId(TypeId::ERROR.0 + 1);
     /// BOOL.
     pub(super) const BOOL: TypeId = TypeId::of(ElementaryType::Bool);
 
@@ -52,6 +54,17 @@ pub(super) enum TypeKind {
     FunctionBlock(Box<Structure>),
     /// An interface: a value is the address of an instance, or 0.
     Interface(Box<Structure>),
+    /// A reference or pointer.
+    Pointer(PointerType),
+}
+
+/// A reference or pointer.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub(super) struct PointerType {
+    /// The words that make it one.
+    pub(super) form: PointerForm,
+    /// The type of what it leads to; [`TypeId::ERROR`] until all types are known.
+    pub(super) target: TypeId,
 }
 
 /// The limits of a subrange.
@@ -198,8 +211,8 @@ pub(super) struct TypeTable {
     parents: FxHashMap<TypeId, Vec<TypeId>>,
 }
 
-/// The elementary types, and behind them [`TypeId::ERROR`]: the same in every source text.
-static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 1]> = LazyLock::new(|| {
+/// The elementary types, and behind them [`TypeId::ERROR`] and [`TypeId::ADDRESS`]: the same in every source text.
+static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::new(|| {
     std::array::from_fn(|index| {
         let (kind, text_units) = match ElementaryType::ALL.get(index) {
             Some(&ty) if ty.is_text() => {
@@ -207,6 +220,10 @@ static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 1]> = LazyLock::
                 (TypeKind::Text { ty, capacity }, capacity.into())
             }
             Some(&ty) => (TypeKind::Elementary(ty), 0),
+            None if index as u32 == TypeId::ADDRESS.0 => {
+                let (form, target) = (PointerForm::RefTo, TypeId::ERROR);
+                (TypeKind::Pointer(PointerType { form, target }), 0)
+            }
             None => (TypeKind::Error, 0),
         };
         TypeRow {
@@ -250,12 +267,18 @@ impl TypeTable {
         false
     }
 
+    /// Returns a type as a structure or function block, if it is one.
+    pub(super) fn structure(&self, id: TypeId) -> Option<&Structure> {
+        match self.kind(id) {
+            TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => Some(structure),
+            _ => None,
+        }
+    }
+
     /// Returns the element or variable of a name, inherited ones among them.
     pub(super) fn member(&self, mut id: TypeId, name: &str) -> Option<&TypeMember> {
         loop {
-            let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.kind(id) else {
-                return None;
-            };
+            let structure = self.structure(id)?;
             let found = structure.members.find(name);
             if found.is_some() {
                 return found;
@@ -288,6 +311,59 @@ impl TypeTable {
             name: None,
         });
         id
+    }
+
+    /// Adds a reference or pointer type whose target is given later.
+    pub(super) fn add_pointer(&mut self, form: PointerForm) -> TypeId {
+        let target = TypeId::ERROR;
+        self.add(TypeKind::Pointer(PointerType { form, target }), Extent::PLAIN)
+    }
+
+    /// Gives a reference or pointer type its target.
+    pub(super) fn set_target(&mut self, pointer: TypeId, target: TypeId) {
+        let row = (pointer.0 as usize).checked_sub(BUILT_IN.len());
+        if let Some(TypeRow {
+            kind: TypeKind::Pointer(pointer),
+            ..
+        }) = row.and_then(|row| self.declared.get_mut(row))
+        {
+            pointer.target = target;
+        }
+    }
+
+    /// Returns a type as a reference or pointer, if it is one.
+    pub(super) fn pointer(&self, id: TypeId) -> Option<PointerType> {
+        match self.kind(id) {
+            TypeKind::Pointer(pointer) => Some(*pointer),
+            _ => None,
+        }
+    }
+
+    /// Returns the type that a variable has where its name stands: of one that is declared with REFERENCE TO, what it is bound to.
+    pub(super) fn named_type(&self, id: TypeId) -> TypeId {
+        match self.pointer(id) {
+            Some(PointerType {
+                form: PointerForm::ReferenceTo,
+                target,
+            }) => target,
+            _ => id,
+        }
+    }
+
+    /// Returns whether two types are the same, aliases and the depth of pointers to them looked through.
+    pub(super) fn is_same(&self, one: TypeId, other: TypeId) -> bool {
+        let (mut one, mut other) = (self.root(one), self.root(other));
+        // A type may be a pointer to itself.
+        for _ in 0..50 {
+            match (self.pointer(one), self.pointer(other)) {
+                _ if one == other => return true,
+                (Some(first), Some(second)) if first.form == second.form => {
+                    (one, other) = (self.root(first.target), self.root(second.target));
+                }
+                _ => return false,
+            }
+        }
+        true
     }
 
     /// Adds another name for a type, which may have a default value of its own.
@@ -413,6 +489,10 @@ impl TypeTable {
             TypeKind::Structure(structure)
             | TypeKind::FunctionBlock(structure)
             | TypeKind::Interface(structure) => structure.name.to_string(),
+            TypeKind::Pointer(_) if id == TypeId::ADDRESS => "an address".to_owned(),
+            TypeKind::Pointer(pointer) => {
+                format!("{} {}", pointer.form.words(), self.name(pointer.target))
+            }
             TypeKind::Array(shape) => {
                 let limits: Vec<_> = shape
                     .dimensions

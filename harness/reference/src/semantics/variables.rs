@@ -94,7 +94,7 @@ impl<'u> Declarer<'u, '_> {
                 message,
             );
         }
-        if has_block && pou == PouKind::Function {
+        if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
             self.report(Code::FunctionBlockInFunction, group.specification.span, message);
         }

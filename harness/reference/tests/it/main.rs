@@ -1,6 +1,5 @@
 //! The reference from the outside, in one program: each of its own would be linked once more.
 
-mod blocks;
 mod calls;
 mod conversion_properties;
 mod dialects;

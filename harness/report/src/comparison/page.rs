@@ -7,6 +7,7 @@ use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{verdicts, visible};
 use anstyle::Style;
+use indexmap::IndexMap;
 use std::io::{self, Write};
 use stickler_run::{Header, Totals};
 use stickler_types::counted;
@@ -71,33 +72,21 @@ fn version(header: &Header, name: &str) -> String {
     visible(format!("{name} {version}").trim_end())
 }
 
-/// A group of cases of one probe in one dialect that changed alike.
-struct ChangedAlike<'c> {
-    probe: &'c str,
-    changes: Vec<&'c Change>,
-}
-
-fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<ChangedAlike<'c>> {
-    let mut groups: Vec<ChangedAlike<'c>> = Vec::new();
-    let mut places = std::collections::HashMap::new();
+/// Groups the cases of one probe in one dialect that changed alike.
+fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<Vec<&'c Change>> {
+    let mut groups: IndexMap<_, Vec<&Change>> = IndexMap::new();
     for change in changes {
-        let alike = (
-            probe(&change.id),
-            &change.dialect,
-            &change.engine,
-            change.old,
-            change.new,
-        );
-        let place = *places.entry(alike).or_insert(groups.len());
-        match groups.get_mut(place) {
-            Some(group) => group.changes.push(change),
-            None => groups.push(ChangedAlike {
-                probe: alike.0,
-                changes: vec![change],
-            }),
-        }
+        let Change {
+            dialect,
+            engine,
+            old,
+            new,
+            ..
+        } = change;
+        let alike = (probe(&change.id), dialect, engine, *old, *new);
+        groups.entry(alike).or_default().push(change);
     }
-    groups
+    groups.into_values().collect()
 }
 
 fn style(kind: Kind) -> Style {
@@ -118,18 +107,19 @@ fn word(kind: Kind) -> &'static str {
 }
 
 /// Writes the first line of a group: `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
-fn write_head(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
-    let Some(first) = group.changes.first() else {
+fn write_head(out: &mut dyn Write, group: &[&Change], several: bool) -> io::Result<()> {
+    let Some(first) = group.first() else {
         return Ok(());
     };
     let style = style(first.kind);
     write!(out, "{style}{}{style:#} ", word(first.kind).to_uppercase())?;
-    match group.changes.len() {
+    match group.len() {
         1 => write!(out, "{BOLD}{}@{}{BOLD:#}", first.id, first.dialect)?,
         number => write!(
             out,
             "{BOLD}{number} cases of {}{BOLD:#} in {}",
-            group.probe, first.dialect
+            probe(&first.id),
+            first.dialect
         )?,
     }
     if several {
@@ -141,16 +131,15 @@ fn write_head(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> i
     }
 }
 
-fn write_whole(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
+fn write_whole(out: &mut dyn Write, group: &[&Change], several: bool) -> io::Result<()> {
     write_head(out, group, several)?;
     let detailed = group
-        .changes
         .iter()
         .find_map(|change| change.detail.as_deref().map(|detail| (change, detail)));
     let Some((change, detail)) = detailed else {
         return writeln!(out);
     };
-    if group.changes.len() > 1 {
+    if group.len() > 1 {
         writeln!(out, "     {DIM}such as{DIM:#}  {}", change.id)?;
     }
     writeln!(out, "     {}", visible(&detail.title))?;
@@ -174,27 +163,23 @@ fn write_texts(out: &mut dyn Write, change: &Change, detail: &ComparedTexts) -> 
 }
 
 /// Writes a group in one line, and the results of its first case in a second one.
-fn write_line(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
+fn write_line(out: &mut dyn Write, group: &[&Change], several: bool) -> io::Result<()> {
     write_head(out, group, several)?;
-    let Some(first) = group
-        .changes
-        .first()
-        .filter(|first| first.kind == Kind::Otherwise)
-    else {
+    let Some(first) = group.first().filter(|first| first.kind == Kind::Otherwise) else {
         return Ok(());
     };
     let Some(detail) = first.detail.as_deref() else {
         return Ok(());
     };
-    if group.changes.len() > 1 {
+    if group.len() > 1 {
         writeln!(out, "     {DIM}such as{DIM:#}  {}", first.id)?;
     }
     write_texts(out, first, detail)
 }
 
-fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[ChangedAlike<'_>]) -> io::Result<()> {
+fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Vec<&Change>]) -> io::Result<()> {
     let rest = groups.get(MAX_SHOWN..).unwrap_or_default();
-    let cases: usize = rest.iter().map(|group| group.changes.len()).sum();
+    let cases: usize = rest.iter().map(|group| group.len()).sum();
     if cases > 0 {
         let style = style(kind);
         let cases = counted(cases as u64, "case", "cases");

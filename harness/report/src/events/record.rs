@@ -48,7 +48,7 @@ pub(crate) struct GroupLine<'r> {
 }
 
 /// An object about a case. Properties that it leaves out are empty or unknown.
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(crate) struct CaseObject<'r> {
     /// The verdict.
@@ -117,13 +117,7 @@ impl<'r> PassedLine<'r> {
             case,
             duration_us,
             expects,
-            line: None,
-            expected: Cow::default(),
-            got: Cow::default(),
-            observations: Cow::default(),
-            program: None,
-            question: None,
-            baseline: None,
+            ..CaseObject::default()
         }
     }
 }

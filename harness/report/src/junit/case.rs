@@ -1,37 +1,36 @@
 //! The JUnit test of a case that did not pass.
 
-use super::suite::{JunitTest, Problem, TestResult};
+use super::suite::{error, failure, problem};
 use crate::text::noted;
 use crate::{compared, diff, engine};
+use quick_junit::{TestCase, TestCaseStatus};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, EngineHeader, Fact, Verdict};
 
 /// Returns the test of a case that did not pass.
-pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> JunitTest<'c> {
-    let problem = kind(case.verdict).map(|(kind, message)| Problem {
-        kind,
-        type_name: case.verdict.as_str(),
-        message: match &case.baseline {
+pub(super) fn test(case: &CaseEvent, engine: Option<&EngineHeader>) -> TestCase {
+    let status = kind(case.verdict).map(|(status, message)| {
+        let message = match &case.baseline {
             // A reader shows nothing but the message of a skipped test.
             Some(note) => format!("{message} ({}): {}", note.reason, case.title),
             None => format!("{message}: {}", case.title),
-        },
-        text: description(case, engine),
+        };
+        problem(
+            status,
+            case.verdict.as_str(),
+            &message,
+            &description(case, engine),
+        )
     });
-    JunitTest {
-        name: &case.id,
-        microseconds: case.duration_us,
-        problem,
-        output: observations(case),
-        ..JunitTest::default()
+    let mut test = TestCase::new(&*case.id, status.unwrap_or_else(TestCaseStatus::success));
+    if !case.observations.is_empty() {
+        test.set_system_out(observations(case));
     }
+    test
 }
 
 fn observations(case: &CaseEvent) -> String {
-    let mut text = String::new();
-    if !case.observations.is_empty() {
-        text.push_str("observed, where no source in Stickler says what must be:\n");
-    }
+    let mut text = "observed, where no source in Stickler says what must be:\n".to_owned();
     for observation in &case.observations {
         // Writing to a String cannot fail.
         let _ = writeln!(text, "{} = {}", observation.name, observation.value);
@@ -39,25 +38,20 @@ fn observations(case: &CaseEvent) -> String {
     text
 }
 
-/// Returns the JUnit kind of a verdict, with its message; `None` for a pass.
-pub(super) fn kind(verdict: Verdict) -> Option<(TestResult, &'static str)> {
+/// Returns the status of a verdict, not described yet, with its message; `None` for a pass.
+pub(super) fn kind(verdict: Verdict) -> Option<(TestCaseStatus, &'static str)> {
+    let skipped = TestCaseStatus::skipped;
     match verdict {
         Verdict::Pass => None,
-        Verdict::Fail => Some((TestResult::Failure, "not as expected")),
-        Verdict::Differs => Some((
-            TestResult::Skipped,
-            "differs from a source that does not bind the engine",
-        )),
-        Verdict::Xpass => Some((TestResult::Failure, "passes, but its baseline expects it not to")),
-        Verdict::Crash => Some((TestResult::Error, "the engine crashed")),
-        Verdict::Timeout => Some((TestResult::Error, "the engine did not answer in time")),
-        Verdict::Error => Some((TestResult::Error, "the engine made no sense")),
-        Verdict::Xfail => Some((TestResult::Skipped, "fails, as its baseline expects")),
-        Verdict::Unsupported => Some((TestResult::Skipped, "the engine does not support it")),
-        Verdict::Waiting => Some((
-            TestResult::Skipped,
-            "it waits for a feature that the engine lacks",
-        )),
+        Verdict::Fail => Some((failure(), "not as expected")),
+        Verdict::Differs => Some((skipped(), "differs from a source that does not bind the engine")),
+        Verdict::Xpass => Some((failure(), "passes, but its baseline expects it not to")),
+        Verdict::Crash => Some((error(), "the engine crashed")),
+        Verdict::Timeout => Some((error(), "the engine did not answer in time")),
+        Verdict::Error => Some((error(), "the engine made no sense")),
+        Verdict::Xfail => Some((skipped(), "fails, as its baseline expects")),
+        Verdict::Unsupported => Some((skipped(), "the engine does not support it")),
+        Verdict::Waiting => Some((skipped(), "it waits for a feature that the engine lacks")),
     }
 }
 

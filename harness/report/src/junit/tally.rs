@@ -1,8 +1,9 @@
 //! The JUnit test of several cases of a probe with one verdict.
 
 use super::case::kind;
-use super::suite::{JunitTest, Problem};
+use super::suite::{add, problem};
 use crate::groups::Group;
+use quick_junit::{TestCase, TestCaseStatus, TestSuite};
 use stickler_run::{CaseEvent, Fact, Verdict};
 use stickler_types::counted;
 
@@ -40,24 +41,22 @@ impl ProbeTally {
         self.microseconds += other.microseconds;
     }
 
-    /// Returns the test of the cases of a probe with this verdict; `None` where there are none.
-    pub(super) fn tests<'g>(&self, group: &'g Group, verdict: Verdict) -> Option<JunitTest<'g>> {
-        let problem = kind(verdict).map(|(kind, message)| {
+    /// Adds the test of the cases of a probe with this verdict to a suite; nothing where there are none.
+    pub(super) fn add_test(&self, suite: &mut TestSuite, group: &Group, verdict: Verdict) {
+        if self.cases == 0 {
+            return;
+        }
+        let status = kind(verdict).map(|(status, message)| {
             let cases = counted(self.cases, "case", "cases");
-            Problem {
-                kind,
-                type_name: verdict.as_str(),
-                message: format!("{message} ({cases}): {}", group.title),
-                text: self.got.clone(),
-            }
+            let message = format!("{message} ({cases}): {}", group.title);
+            problem(status, verdict.as_str(), &message, &self.got)
         });
-        let properties = [("cases", self.cases), ("observations", self.observations)];
-        (self.cases > 0).then(|| JunitTest {
-            name: &group.id,
-            microseconds: self.microseconds,
-            problem,
-            properties: properties.into_iter().filter(|(_, number)| *number > 0).collect(),
-            ..JunitTest::default()
-        })
+        let mut test = TestCase::new(&*group.id, status.unwrap_or_else(TestCaseStatus::success));
+        for (name, number) in [("cases", self.cases), ("observations", self.observations)] {
+            if number > 0 {
+                test.add_property((name.to_owned(), number.to_string()));
+            }
+        }
+        add(suite, test, self.microseconds);
     }
 }

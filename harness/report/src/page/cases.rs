@@ -129,7 +129,7 @@ impl MissedCases {
     /// Returns the data for the page, with the groups of the run and their verdict counts.
     pub(super) fn into_data(mut self, groups: &Groups, totals: &[Totals]) -> CasesData {
         let mut columns = GroupColumns::default();
-        for (group, totals) in groups.all().iter().zip(totals) {
+        for (group, totals) in groups.all().zip(totals) {
             columns.push(group, totals, &mut self.texts.words);
         }
         let (words, texts, texts_left_out) = self.texts.into_parts();

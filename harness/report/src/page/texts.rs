@@ -1,6 +1,6 @@
 //! A table of texts of several lines, which keeps each text and each line once.
 
-use std::collections::HashMap;
+use indexmap::IndexSet;
 use stickler_types::WordTable;
 
 /// The maximum number of bytes of all lines and texts; what does not fit is counted and left out, so that the page stays small
@@ -12,8 +12,7 @@ const MAX_BYTES: usize = 7 << 19;
 pub(super) struct TextTable {
     /// The lines of all texts, and words that are no text of their own.
     pub(super) words: WordTable,
-    numbers: HashMap<Vec<u32>, u32>,
-    texts: Vec<Vec<u32>>,
+    texts: IndexSet<Vec<u32>>,
     /// The number of bytes that were added.
     bytes: usize,
     /// The number of texts that found no room.
@@ -34,19 +33,17 @@ impl TextTable {
         let lines: Vec<u32> = text.lines().map(|line| self.words.number(line)).collect();
         let new = self.words.all().get(known..).unwrap_or_default();
         self.bytes += new.iter().map(|line| line.len() + 3).sum::<usize>();
-        if let Some(number) = self.numbers.get(&lines) {
-            return Some(*number);
+        let length = lines.len();
+        let (number, is_new) = self.texts.insert_full(lines);
+        if is_new {
+            self.bytes += 6 * length;
         }
-        self.bytes += 6 * lines.len();
-        let number = u32::try_from(self.texts.len()).ok()?;
-        self.numbers.insert(lines.clone(), number);
-        self.texts.push(lines);
-        Some(number)
+        u32::try_from(number).ok()
     }
 
     /// Returns the words, the texts as numbers of words, and how many texts were left out.
     pub(super) fn into_parts(self) -> (WordTable, Vec<Vec<u32>>, u64) {
-        (self.words, self.texts, self.left_out)
+        (self.words, self.texts.into_iter().collect(), self.left_out)
     }
 }
 

@@ -18,11 +18,7 @@ pub(super) const TITLE: &str = "Stickler: what new versions fixed and broke";
 /// # Errors
 /// Returns the error of writing XML.
 pub(super) fn feed(histories: &[History<'_>]) -> io::Result<Vec<u8>> {
-    let each = histories.iter();
-    let mut steps: Vec<(&History<'_>, &VersionStep<'_>)> = each
-        .flat_map(|history| history.steps.iter().map(move |step| (history, step)))
-        .collect();
-    steps.sort_by_key(|(_, step)| std::cmp::Reverse(step.new.run.number));
+    let steps = History::newest_steps(histories);
     let runs = histories.iter().flat_map(|history| &history.runs);
     let updated = runs
         .map(|run| run.run.started)

@@ -2,7 +2,7 @@
 
 use super::feed;
 use super::functions::Functions;
-use super::history::{History, VersionStep};
+use super::history::History;
 use super::html::{escaped, page_with, share};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -81,11 +81,7 @@ fn row(history: &History<'_>, areas: &BTreeSet<&str>) -> String {
 }
 
 fn changes(histories: &[History<'_>]) -> String {
-    let each = histories.iter();
-    let mut steps: Vec<(&History<'_>, &VersionStep<'_>)> = each
-        .flat_map(|history| history.steps.iter().map(move |step| (history, step)))
-        .collect();
-    steps.sort_by_key(|(_, step)| std::cmp::Reverse(step.new.run.number));
+    let steps = History::newest_steps(histories);
     if steps.is_empty() {
         return "<p>No engine has runs of two versions yet.</p>\n".to_owned();
     }

@@ -6,6 +6,7 @@ use super::versions::{self, VersionRun};
 use crate::comparison::{Change, Comparison, ComparisonError, Kind};
 use crate::discrepancies::file_name;
 use crate::events::Reader;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The runs of one engine.
@@ -55,6 +56,16 @@ impl<'r> History<'r> {
             })
         });
         histories.collect()
+    }
+
+    /// Returns the steps of all engines, the newest first.
+    pub(super) fn newest_steps<'h>(
+        histories: &'h [History<'r>],
+    ) -> Vec<(&'h History<'r>, &'h VersionStep<'r>)> {
+        let of_each = |history: &'h History<'r>| history.steps.iter().map(move |step| (history, step));
+        let mut steps: Vec<_> = histories.iter().flat_map(of_each).collect();
+        steps.sort_by_key(|(_, step)| Reverse(step.new.run.number));
+        steps
     }
 
     /// Returns the run of the newest version that counts.

@@ -52,18 +52,26 @@ struct EntryTable {
     until: Option<Spanned<Value>>,
 }
 
-pub(super) fn baseline(text: &str, file: &str, stem: &str) -> Result<Baseline, BaselineError> {
-    read(text, stem)
-        .map(|(engine, entries)| Baseline {
-            engine,
-            file: file.to_owned(),
-            entries,
-        })
-        .map_err(|(at, message)| BaselineError {
-            file: file.to_owned(),
-            line: line(text, at),
-            message,
-        })
+impl Baseline {
+    /// Reads a baseline. `file` is the path that messages show; `stem`, the file's name without its extension, names the
+    /// engine where the text itself does not.
+    ///
+    /// # Errors
+    /// [`BaselineError`]: the first mistake, with its line.
+    pub fn read(text: &str, file: &str, stem: &str) -> Result<Baseline, BaselineError> {
+        let file = file.to_owned();
+        match read(text, stem) {
+            Ok((engine, entries)) => Ok(Baseline {
+                engine,
+                file,
+                entries,
+            }),
+            Err((at, message)) => {
+                let line = line(text, at);
+                Err(BaselineError { file, line, message })
+            }
+        }
+    }
 }
 
 fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), BaselineMistake> {

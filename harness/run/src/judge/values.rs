@@ -1,4 +1,4 @@
-//! Compares expected values with actual ones, exactly.
+//! Compares expected values with actual ones: exactly, but where the expectation allows for units in the last place.
 
 use super::findings::Findings;
 use crate::{Fact, Observed};
@@ -42,7 +42,7 @@ pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], finding
         let key = expected.key();
         let name = key.to_string();
         let found = finder.find(key);
-        findings.require(found == Some(&expected.value));
+        findings.require(found.is_some_and(|found| expected.value.admits(found)));
         findings.add(match found.cloned() {
             Some(value) => Fact::Value { name, value },
             None => Fact::MissingValue { name },

@@ -97,7 +97,8 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
     let opened = Arc::new(AtomicUsize::new(0));
     let count = Arc::clone(&opened);
     let mut engine = Puppet::new("puppet", |request| match number(request.source) {
-        3 | 5 => panic!("broken string"),
+        3 => panic!("broken string"),
+        5 => panic!("broken number {}", request.scans),
         _ => outcome("executed"),
     });
     engine.open = Box::new(move || {
@@ -107,13 +108,15 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
     let (_, events) = go(&with_jobs(1), &numbered(0..10), &[&engine]);
     let totals = footer(&events).unwrap().totals;
     assert_eq!((totals.pass, totals.crash), (8, 2));
-    let Event::Case(crashed) = &events[4] else {
-        panic!("no case")
-    };
-    assert_eq!(
-        (crashed.verdict, Fact::text(&crashed.got).as_str()),
-        (Verdict::Crash, "crashed: panicked: broken string")
-    );
+    for (event, reason) in [(4, "broken string"), (6, "broken number 1")] {
+        let Event::Case(crashed) = &events[event] else {
+            panic!("no case")
+        };
+        assert_eq!(
+            (crashed.verdict, Fact::text(&crashed.got)),
+            (Verdict::Crash, format!("crashed: panicked: {reason}"))
+        );
+    }
     assert_eq!(opened.load(Ordering::Relaxed), 3);
 }
 
@@ -177,20 +180,31 @@ fn nothing_selected_is_an_error_before_any_event() {
 }
 
 #[test]
-fn an_engine_that_cannot_be_opened_ends_the_run_without_a_footer() {
-    let mut engine = Puppet::new("puppet", |_| outcome("executed"));
-    engine.open = Box::new(|| {
-        Err(EngineError::NotStarted {
-            engine: "puppet".into(),
-            reason: "no strings".into(),
-        })
-    });
-    let (outcome, events) = go(&with_jobs(2), &numbered(0..10_000), &[&engine]);
-    assert_eq!(
-        outcome.unwrap_err().to_string(),
-        "engine puppet could not be started: no strings"
-    );
-    assert!(matches!(events[..], [Event::Header(_)]), "{events:?}");
+fn an_engine_that_cannot_be_opened_at_first_or_again_ends_the_run_without_a_footer() {
+    for sessions in [0, 2] {
+        let left = AtomicUsize::new(sessions);
+        let mut engine = Puppet::new("puppet", |_| panic!("broken"));
+        engine.open = Box::new(move || {
+            let another = left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));
+            another.map(drop).map_err(|_| EngineError::NotStarted {
+                engine: "puppet".into(),
+                reason: "no strings".into(),
+            })
+        });
+        let (outcome, events) = go(&with_jobs(2), &numbered(0..10_000), &[&engine]);
+        assert_eq!(
+            outcome.unwrap_err().to_string(),
+            "engine puppet could not be started: no strings"
+        );
+        let [Event::Header(_), cases @ ..] = &events[..] else {
+            panic!("no header")
+        };
+        assert!(cases.len() <= sessions, "{events:?}");
+        assert!(
+            cases.iter().all(|event| matches!(event, Event::Case(_))),
+            "{events:?}"
+        );
+    }
 }
 
 #[test]

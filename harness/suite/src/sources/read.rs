@@ -123,23 +123,13 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         relation: Relation::Maker,
         kind: SourceKind::Rule,
         address: format!("{}#{{section}}", root.shown(RULES)),
-        read: String::new(),
-        engines: Vec::new(),
-        versions: Versions::default(),
-        dialects: Vec::new(),
         sections: Sections {
             headings,
             forms: Vec::new(),
         },
-        recorded: BTreeMap::new(),
-        limitations: BTreeMap::new(),
-        examples: BTreeMap::new(),
-        quotes: BTreeMap::new(),
-        contradicts: Vec::new(),
-        printed: Vec::new(),
-        symptoms: Vec::new(),
         paragraphs,
         line: 1,
+        ..Source::default()
     };
     (source, errors)
 }
@@ -237,32 +227,30 @@ impl SourcesReader<'_> {
         let sections = self.sections(name, at, file.as_deref(), entry.sections);
         let mut limitations = BTreeMap::new();
         for (section, text) in entry.limitations {
-            if let Some(expected) = sections.unknown(section.get_ref()) {
-                let message = format!("limitations of no section `{}`; {expected}", section.get_ref());
-                self.wrong(section.span().start, name, message);
-            }
+            self.check_section(
+                name,
+                &sections,
+                section.span().start,
+                ("limitations of", section.get_ref()),
+            );
             limitations.insert(section.into_inner(), text);
         }
         let examples = self.examples(name, &sections, entry.examples, entry.omitted);
         let mut quotes = BTreeMap::new();
         for (section, texts) in entry.quotes {
             let is_figure = |text: &String| !text.trim().is_empty() && text.chars().count() <= MAX_QUOTE_LEN;
-            if let Some(expected) = sections.unknown(section.get_ref()) {
-                let message = format!("quotes of no section `{}`; {expected}", section.get_ref());
-                self.wrong(section.span().start, name, message);
-            } else if !texts.iter().all(is_figure) {
+            let at = section.span().start;
+            let is_known = self.check_section(name, &sections, at, ("quotes of", section.get_ref()));
+            if is_known && !texts.iter().all(is_figure) {
                 let message =
                     format!("a quote is a figure of 1 to {MAX_QUOTE_LEN} characters, and no copied sentence");
-                self.wrong(section.span().start, name, message);
+                self.wrong(at, name, message);
             }
             quotes.insert(section.into_inner(), texts);
         }
         for contradiction in &entry.contradicts {
-            let section = &contradiction.get_ref().section;
-            if let Some(expected) = sections.unknown(section) {
-                let message = format!("a contradiction of no section `{section}`; {expected}");
-                self.wrong(contradiction.span().start, name, message);
-            }
+            let (at, section) = (contradiction.span().start, &contradiction.get_ref().section);
+            self.check_section(name, &sections, at, ("a contradiction of", section));
             if contradiction.get_ref().until.is_some() {
                 self.dated.push(contradiction.clone());
             }
@@ -287,18 +275,31 @@ impl SourcesReader<'_> {
             versions,
             dialects,
             sections,
-            recorded: BTreeMap::new(),
             limitations,
             examples,
             quotes,
             contradicts: contradicts.collect(),
-            printed: Vec::new(),
             symptoms: entry.symptoms,
-            paragraphs: BTreeMap::new(),
             line: self.lines.line(at),
+            ..Source::default()
         };
         source.printed = self.printed(&source, entry.printed);
         Some(source)
+    }
+
+    /// Returns whether a source has a section, and says otherwise of what it has none.
+    fn check_section(
+        &mut self,
+        key: &str,
+        sections: &Sections,
+        at: usize,
+        (what, name): (&str, &str),
+    ) -> bool {
+        let unknown = sections.unknown(name);
+        if let Some(expected) = &unknown {
+            self.wrong(at, key, format!("{what} no section `{name}`; {expected}"));
+        }
+        unknown.is_none()
     }
 
     /// Returns what the sections print: the result of each call, a typed literal or words without a `#`.
@@ -306,10 +307,7 @@ impl SourcesReader<'_> {
         let mut printed = Vec::new();
         for (section, calls) in all {
             let (at, section) = (section.span().start, section.get_ref());
-            if let Some(expected) = source.sections.unknown(section) {
-                let message = format!("calls printed by no section `{section}`; {expected}");
-                self.wrong(at, &source.key, message);
-            }
+            self.check_section(&source.key, &source.sections, at, ("calls printed by", section));
             for (call, result) in calls {
                 let (at, call) = (call.span().start, call.into_inner());
                 let is_call = format!("{call} : INT").parse::<Question>().is_ok();

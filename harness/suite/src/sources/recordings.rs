@@ -49,22 +49,14 @@ pub(super) fn read(root: &files::Root) -> Source {
         kind: SourceKind::Recording,
         address: root.shown(&format!("{RECORDINGS}/{{section}}.toml")),
         read: "as each file says".to_owned(),
-        engines: Vec::new(),
-        versions: stickler_types::Versions::default(),
         dialects,
         sections: Sections {
             headings: usable.map(|(name, _)| (name.clone(), 1)).collect(),
             forms: Vec::new(),
         },
         recorded,
-        limitations: BTreeMap::new(),
-        examples: BTreeMap::new(),
-        printed: Vec::new(),
-        quotes: BTreeMap::new(),
-        symptoms: Vec::new(),
-        contradicts: Vec::new(),
-        paragraphs: BTreeMap::new(),
         line: 1,
+        ..Source::default()
     }
 }
 

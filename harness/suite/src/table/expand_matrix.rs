@@ -234,21 +234,19 @@ impl MatrixExpander<'_, '_> {
         for (active, members) in probe.program.groups(dialects, &texts) {
             probe.note_applied(&active);
             let rejected = probe.program.rejects(&active);
-            if word == MatrixWord::No && !rejected {
-                let message = format!(
-                    "{} to {} says no, but no `error` mark applies",
-                    row.name, column.name
+            let missing = match word {
+                MatrixWord::No if !rejected => Some("error"),
+                MatrixWord::Warn if stated.is_none() && !probe.program.warns(&active) => Some("warning"),
+                _ => None,
+            };
+            if let Some(mark) = missing {
+                let (row_name, column_name, says) = (&row.name, &column.name, word.as_str());
+                let message =
+                    format!("{row_name} to {column_name} says {says}, but no `{mark}` mark applies");
+                let hint = format!(
+                    "in the probe `{}`, add `(*! {mark} CODE if {says} *)`",
+                    probe.name
                 );
-                let hint = format!("in the probe `{}`, add `(*! error CODE if no *)`", probe.name);
-                self.0.wrong(Mistake::new(row.line, message).hint(hint));
-                continue;
-            }
-            if word == MatrixWord::Warn && stated.is_none() && !probe.program.warns(&active) {
-                let message = format!(
-                    "{} to {} says warn, but no `warning` mark applies",
-                    row.name, column.name
-                );
-                let hint = format!("in the probe `{}`, add `(*! warning CODE if warn *)`", probe.name);
                 self.0.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }

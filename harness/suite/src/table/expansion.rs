@@ -111,7 +111,8 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
         let mut assembler = Assembler::new(self.table.context.type_names);
         let applied = program.apply(active, texts, &mut assembler);
         targets(&mut assembler)?;
-        let assembly = applied.and_then(|()| assembler.finish(probe.frame.scans));
+        let assembly = applied
+            .and_then(|()| assembler.finish(probe.frame.scans, || program.fill(&mut String::new(), texts)));
         assembly.map_err(|mistake| {
             let place = program.place.line(mistake.line.max(1));
             Mistake::new(place, mistake.message)

@@ -71,65 +71,6 @@ fn an_edition_repeats_a_sample_of_the_other_and_what_differs() {
 }
 
 #[test]
-fn who_lacks_a_feature_is_asked_only_where_the_file_names_it() {
-    let features = "[ltime]\ntitle = 't'\nprogram = ''\n[lint]\ntitle = 't'\nprogram = ''\n";
-    let program = |dialects: &str, ty: &str| {
-        format!(
-            "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [{dialects}]\n*)\nPROGRAM main VAR x : {ty}; END_VAR\n\
-             x := x; (*! ok *)\nEND_PROGRAM\n"
-        )
-    };
-    let files = [
-        ("features.toml", features.to_owned()),
-        ("a/both.st", program("\"all\"", "LINT")),
-        ("a/but.st", program("\"all but ironplc plcnext\"", "LINT")),
-        ("a/lacking.st", program("\"all\"", "LTIME")),
-        ("a/named.st", program("\"all\", \"matiec\"", "LTIME")),
-    ];
-    let files: Vec<(&str, &str)> = files.iter().map(|(path, text)| (*path, text.as_str())).collect();
-    let folder = folder(&files);
-    let root = folder.path().join("cases");
-    // Without groups of its own, `all` is every documented system.
-    write(
-        &root,
-        "dialects.toml",
-        "[groups]\nironplc = ['ironplc-ed2', 'ironplc-ed3', 'ironplc-rusty']\n",
-    );
-    let suite = Suite::load(&root);
-    assert!(suite.errors.is_empty(), "{:?}", suite.errors);
-    let asks = |id: &str, dialect: DialectName| {
-        suite
-            .cases
-            .iter()
-            .any(|case| *case.id == *id && case.dialect == dialect)
-    };
-    let asked = ["a/both", "a/but", "a/lacking", "a/named"].map(|id| {
-        [DialectName::MATIEC, DialectName::PLCNEXT, DialectName::IEC_ED3].map(|dialect| asks(id, dialect))
-    });
-    assert_eq!(
-        asked,
-        [
-            [true, true, true],
-            [true, false, true],
-            [false, true, true],
-            [true, true, true]
-        ]
-    );
-}
-
-#[test]
-fn a_mistake_in_one_file_leaves_the_rest() {
-    let suite = load(&[("a/bad.st", "x"), ("a/good.st", PROGRAM), ("a/bad.toml", "= 3")]);
-    assert_eq!(suite.cases.len(), 1);
-    let files: Vec<_> = suite
-        .errors
-        .iter()
-        .map(|error| (error.file.as_str(), error.line))
-        .collect();
-    assert_eq!(files, [("cases/a/bad.st", 1), ("cases/a/bad.toml", 1)]);
-}
-
-#[test]
 fn a_file_without_its_suite_is_loaded_alone() {
     let folder = folder(&[("a/one.st", PROGRAM), ("a/two.st", "x")]);
     let root = folder.path().join("cases");

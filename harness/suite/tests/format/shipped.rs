@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 use stickler_suite::{Acceptance, Case, Role, Suite, Wanted};
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, Question};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
 /// Basis: iec-61131-3: second edition, Annex C.
@@ -87,6 +87,27 @@ fn no_program_gives_the_name_of_a_standard_function_to_something_else() {
         }
     }
     assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn results_of_functions_of_reals_are_those_of_exact_arithmetic() {
+    let mut checked = HashSet::new();
+    for case in &SHIPPED.cases {
+        let (Some(Question::Call(call)), [expected]) =
+            (case.question.as_deref(), &case.expectation.values[..])
+        else {
+            continue;
+        };
+        if !case.file.contains("language/functions-of-") {
+            continue;
+        }
+        let nearest = stickler_exact::nearest_result(&call.function, &call.operands, call.result);
+        let nearest = nearest.map(|value| value.to_string()).unwrap_or_default();
+        let stated = expected.value.to_string();
+        assert_eq!(stated.split(" within ").next(), Some(&*nearest), "{}", case.id);
+        checked.insert(case.id.to_string());
+    }
+    assert!(checked.len() > 150, "only {} calls", checked.len());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::names::DeclaredKind;
 use crate::source::Span;
 use crate::tree::{
     Argument, BinaryOperator, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind,
-    UnaryOperator,
+    UnaryOperator, own_instance,
 };
 use crate::visitor::Context;
 use stickler_types::ElementaryType;
@@ -24,10 +24,17 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => {
                 let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
                 self.note_if(is_value, "enumerated-value", span);
+                let is_null = name.text.eq_ignore_ascii_case("NULL") && self.declared(name.text).is_none();
+                self.note_if(is_null, "null", span);
                 self.own_instance(name.text, span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
             ExpressionKind::Field { field, .. } if self.is_property(field.text) => {}
+            ExpressionKind::Field { base, .. }
+                if let Some(key) = self.name_of(*base, at).and_then(|name| self.qualifier(name)) =>
+            {
+                self.note(key, span);
+            }
             ExpressionKind::Field { base, .. } => {
                 let is_output = self
                     .name_of(*base, at)
@@ -42,6 +49,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 );
             }
             ExpressionKind::Index { .. } => self.note("array-element", span),
+            ExpressionKind::Dereference { .. } => self.note("dereference", span),
             ExpressionKind::Bit { .. } if !span.text(self.text).contains('%') => {
                 self.note("bit-access", span)
             }
@@ -58,7 +66,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 },
                 span,
             ),
-            ExpressionKind::Binary { operator, .. } => self.note(operator_key(*operator), span),
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => {
+                let adds = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
+                let is_pointer =
+                    |id: &ExpressionId| self.name_of(*id, at).is_some_and(|name| self.is_pointer(name));
+                let is_address = adds && (is_pointer(left) || is_pointer(right));
+                self.note(
+                    if is_address {
+                        "pointer-arithmetic"
+                    } else {
+                        operator_key(*operator)
+                    },
+                    span,
+                );
+            }
             ExpressionKind::Parenthesized(_) => {
                 let is_nested =
                     around.is_some_and(|around| matches!(around.kind, ExpressionKind::Call { .. }));
@@ -66,6 +91,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             ExpressionKind::Error => {}
         }
+    }
+
+    /// Returns the feature of a name behind that of an enumeration, or behind one that the program does not declare; `None` behind others.
+    fn qualifier(&self, name: &str) -> Option<&'static str> {
+        match self.declared(name) {
+            Some(DeclaredKind::Type) => Some("enumerated-value-qualified"),
+            Some(_) => None,
+            None => (own_instance(name).is_none()).then_some("qualified-name"),
+        }
+    }
+
+    /// Returns the name behind that of a library; `None` where an expression is something else.
+    fn behind_library(&self, id: ExpressionId, at: &Context<'t, 's>) -> Option<&'s str> {
+        let ExpressionKind::Field { base, field } = at.unit.expression(id)?.kind else {
+            return None;
+        };
+        let library = self.name_of(base, at)?;
+        (self.declared(library).is_none() && own_instance(library).is_none()).then_some(field.text)
     }
 
     /// Returns the name that an expression is; `None` where it is something else.
@@ -87,11 +130,12 @@ impl<'t, 's> FeatureFinder<'t, 's> {
 
     /// Notes a name that stands for the instance whose code is running; says whether it is one.
     fn own_instance(&mut self, name: &str, span: Span) -> bool {
-        let word = name.trim_end_matches('^').to_ascii_lowercase();
-        let is_own = matches!(word.as_str(), "this" | "super") && self.declared(name).is_none();
-        self.note_if(is_own && name.ends_with('^'), "pointer-to-this", span);
-        self.note_if(is_own, if word == "this" { "this" } else { "super" }, span);
-        is_own
+        let Some(word) = own_instance(name).filter(|_| self.declared(name).is_none()) else {
+            return false;
+        };
+        self.note_if(name.ends_with('^'), "pointer-to-this", span);
+        self.note(if word == "THIS" { "this" } else { "super" }, span);
+        true
     }
 
     /// Returns whether a minus stands before an untyped number, as a part of which it is understood.
@@ -128,14 +172,16 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let name = match at.unit.expression(callee).map(|callee| &callee.kind) {
             Some(ExpressionKind::Name(name)) if self.own_instance(name.text, span) => None,
             Some(ExpressionKind::Name(name)) => Some(name.text),
-            Some(ExpressionKind::Field { field, .. }) => self.declared(field.text).map(|_| field.text),
-            _ => None,
+            Some(ExpressionKind::Field { field, .. }) if self.declared(field.text).is_some() => {
+                Some(field.text)
+            }
+            _ => self.behind_library(callee, at),
         };
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
             Some(DeclaredKind::Pou(PouKind::Method)) => self.note("method-call", span),
-            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call),
+            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call, at),
             _ => self.note("function-block-call", span),
         }
         let inputs = self.inputs_of(block.or(name).unwrap_or_default());
@@ -154,12 +200,24 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     /// Notes the call of a function that the program does not declare.
-    fn standard_call(&mut self, name: &str, call: &Expression<'s>) {
-        let upper = name.to_ascii_uppercase();
-        let elementary = ElementaryType::from_name;
+    fn standard_call(&mut self, name: &str, call: &Expression<'s>, at: &Context<'t, 's>) {
+        let dialect = self.dialect;
+        let upper = dialect.standard_name(name).to_ascii_uppercase();
+        let elementary = |name: &str| dialect.elementary(name);
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
         let rounds = || ["ROUND", "CEIL", "CEILING", "FLOOR"].into_iter().any(has);
+        if let Some(family) = family(&upper) {
+            return self.note(family, call.span);
+        }
+        if let ("REF" | "ADR", ExpressionKind::Call { arguments, .. }) = (upper.as_str(), &call.kind)
+            && let [Argument::Positional(operand)] = arguments[..]
+        {
+            use ExpressionKind::{Field, Index};
+            let operand = at.unit.expression(operand).map(|operand| &operand.kind);
+            let is_part = matches!(operand, Some(Field { .. } | Index { .. }));
+            self.note_if(is_part, "reference-to-part", call.span);
+        }
         let key = match upper.split_once("_TO_") {
             Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",
             _ if has("BCD") => "conversion-bcd",
@@ -167,7 +225,6 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
             _ if upper.contains('_') && rounds() && parts_are_types() => "rounding-typed",
             _ if upper.starts_with("TO_") && parts_are_types() => "conversion-overloaded",
-            _ if upper.starts_with("CONCAT_") && parts_are_types() => "concat-date-time",
             // The name alone is the key of the operator.
             _ if ["ADD", "AND", "MOD", "NOT", "OR", "XOR"].contains(&upper.as_str()) => {
                 return self.note(format!("{}-function", upper.to_ascii_lowercase()), call.span);
@@ -233,6 +290,27 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         self.note_if(ty.is_some(), "typed-literal-string", expression.span);
         Some(plain)
     }
+}
+
+/// Returns the key of the functions of which one is a member, by its name in capital letters, where several have a key together.
+fn family(name: &str) -> Option<&'static str> {
+    let (first, rest) = name.split_once('_')?;
+    let types: Option<Vec<ElementaryType>> = rest.split('_').map(ElementaryType::from_name).collect();
+    Some(match (first, types.as_deref()) {
+        ("ADD" | "SUB", Some(types)) if types.iter().any(|ty| ty.is_third_edition()) => {
+            "typed-long-time-function"
+        }
+        ("ADD" | "SUB", Some(_)) => "typed-time-function",
+        ("MUL" | "DIV", Some([ElementaryType::Ltime])) => "typed-long-time-function",
+        ("MUL" | "DIV", Some(_)) => "scaled-time-function",
+        ("CONCAT", Some([_])) => "compose-date-time",
+        ("CONCAT", Some(_)) => "concat-date-time",
+        ("SPLIT", Some(_)) => "split-date-time",
+        ("DAY", None) if rest == "OF_WEEK" => "day-of-week",
+        ("TO" | "FROM", None) if rest.ends_with("_ENDIAN") => "byte-order",
+        ("IS", None) if rest.starts_with("VALID") => "validity",
+        _ => return None,
+    })
 }
 
 /// Returns the key of an infix operator.

@@ -43,13 +43,28 @@ impl Lexer<'_, '_> {
         let reason = match form {
             Ok(_) if !trailing => return self.push(kind, start),
             Ok(NumberForm::Integer) if matches!(self.peek(0), b'e' | b'E') => {
-                "a real literal needs a point: `1.0E5`"
+                return self.real_without_point(start);
             }
             Ok(_) => "a literal and a name need something between them",
             Err(reason) => reason,
         };
         self.skip(is_word);
         self.push_malformed(start, || reason.to_owned());
+    }
+
+    /// Says how `1E5` is written, and moves over it.
+    #[cold]
+    fn real_without_point(&mut self, start: usize) {
+        let integer = self.span_from(start).text(self.text);
+        let exponent = self.at;
+        if !self.exponent() || self.at == exponent {
+            self.at = exponent;
+        }
+        self.skip(is_word);
+        let exponent = self.span_from(exponent).text(self.text);
+        self.push_malformed(start, || {
+            format!("a real literal needs a point: `{integer}.0{exponent}`")
+        });
     }
 
     /// Moves over digits and what belongs to them, and says which form of number that was, or what is wrong.
@@ -69,6 +84,14 @@ impl Lexer<'_, '_> {
                     Ok(NumberForm::Real)
                 } else {
                     Err(MALFORMED_DIGITS)
+                }
+            }
+            b'e' | b'E' if sound && self.dialect.reals_without_point => {
+                let integer = self.at;
+                match self.exponent() {
+                    true if self.at > integer => Ok(NumberForm::Real),
+                    true => Ok(NumberForm::Integer),
+                    false => Err(MALFORMED_DIGITS),
                 }
             }
             _ if sound => Ok(NumberForm::Integer),

@@ -34,6 +34,8 @@ pub(crate) struct Lexer<'s, 'd> {
     pub(crate) comments: Vec<Span>,
     /// Whether the token at the end has been given.
     ended: bool,
+    /// Whether a configuration is open.
+    in_configuration: bool,
     /// The number of tokens that have been dropped.
     dropped: usize,
 }
@@ -62,6 +64,7 @@ impl<'s, 'd> Lexer<'s, 'd> {
             truncated: false,
             comments: Vec::new(),
             ended: false,
+            in_configuration: false,
             dropped: 0,
         };
         if text.len() > MAX_LENGTH {
@@ -185,8 +188,27 @@ impl<'s, 'd> Lexer<'s, 'd> {
             self.typed_literal(start);
         } else {
             let kind = keyword::classify(&self.bytes[start..self.at]);
+            let kind = if kind.is_keyword() {
+                self.reserved(kind)
+            } else {
+                kind
+            };
             self.push(kind, start);
         }
+    }
+
+    /// The kind of a keyword: a name where the dialect leaves the word free. Configurations have all keywords.
+    #[inline]
+    fn reserved(&mut self, kind: TokenKind) -> TokenKind {
+        match kind {
+            TokenKind::Configuration => self.in_configuration = true,
+            TokenKind::EndConfiguration => self.in_configuration = false,
+            _ if !self.in_configuration && self.dialect.free_words.contain(kind.text()) => {
+                return TokenKind::Name;
+            }
+            _ => {}
+        }
+        kind
     }
 
     #[inline]

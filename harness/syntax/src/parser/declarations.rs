@@ -82,7 +82,7 @@ impl<'s> Parser<'s, '_> {
                 self.member_declaration();
                 continue;
             }
-            if !self.kind().opens_section() {
+            if !self.at_section() {
                 break;
             }
             if self.kind() == TokenKind::VarGlobal {

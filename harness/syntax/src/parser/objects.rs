@@ -8,7 +8,7 @@ use super::open::OpenBlock;
 use super::state::Parser;
 use crate::source::Span;
 use crate::token::TokenKind;
-use crate::tree::{Access, Modifiers, Name, Pou, PouKind, TypeSpecification};
+use crate::tree::{Access, Modifiers, Name, Pou, PouKind, TypeSpecification, TypeSpecificationKind};
 use stickler_types::Code;
 
 /// The features of features.toml that the third edition of the standard does not have.
@@ -103,9 +103,10 @@ impl<'s> Parser<'s, '_> {
         }
         let start = self.bump().span;
         while let Ok(name) = self.name("a name") {
-            match self.kind() {
-                TokenKind::Dot => self.unsupported_qualified_type(name.span),
-                _ => names.push(name),
+            if self.kind() != TokenKind::Dot {
+                names.push(name);
+            } else if let TypeSpecificationKind::Named(name) = self.qualified_type(name.span) {
+                names.push(name.unqualified());
             }
             if !self.eat(TokenKind::Comma) {
                 break;
@@ -209,7 +210,7 @@ impl<'s> Parser<'s, '_> {
     ) -> Pou<'s> {
         let mut blocks = Vec::new();
         self.blocks.push(OpenBlock::Member);
-        while self.kind().opens_section() {
+        while self.at_section() {
             blocks.extend(self.variable_block());
             self.stray_semicolon();
         }

@@ -136,8 +136,11 @@ impl<'s> Parser<'s, '_> {
     fn dereference(&mut self, base: ExpressionId) -> ParseResult<ExpressionId> {
         let caret = self.bump().span;
         self.grow(0)?;
-        self.unsupported(caret, "references (`^`)");
         let span = self.span_of(base).to(caret);
-        Ok(self.push(ExpressionKind::Error, span))
+        let kind = match self.has_pointers("dereference", "^", caret) {
+            true => ExpressionKind::Dereference { base },
+            false => ExpressionKind::Error,
+        };
+        Ok(self.push(kind, span))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::state::{Broken, ParseResult, Parser};
 use crate::token::TokenKind;
+use crate::tree::VariableKind;
 
 impl Parser<'_, '_> {
     /// Moves behind the `;` of a broken statement, or up to what cannot belong to it any more.
@@ -86,6 +87,45 @@ impl Parser<'_, '_> {
         (!used).then_some((closer, if rest.is_empty() { 2 } else { 1 }))
     }
 
+    /// Returns whether END_VAR was meant: `END_VAR_INPUT`.
+    pub(super) fn at_misspelt_section_end(&self) -> bool {
+        let begins = self.word().get(..7);
+        begins.is_some_and(|begins| begins.eq_ignore_ascii_case("END_VAR")) && !self.names_a_variable()
+    }
+
+    /// Returns whether a keyword opens a section here, or a word that was meant for one: `VAR_CONSTANT` and `VAR_IN` in front of a
+    /// declaration.
+    pub(super) fn at_section(&self) -> bool {
+        let begins = self.word().get(..4);
+        let meant = begins.is_some_and(|begins| begins.eq_ignore_ascii_case("VAR_"));
+        self.kind().opens_section()
+            || self.kind() == TokenKind::Name
+                && meant
+                && self.nth(1) == TokenKind::Name
+                && matches!(self.nth(2), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
+    }
+
+    /// Says what is wrong with a word that was meant for the keyword of a section, and returns the section; `None` at a keyword.
+    pub(super) fn misspelt_section(&mut self) -> Option<VariableKind> {
+        if self.kind() != TokenKind::Name {
+            return None;
+        }
+        let meant = self.word().to_ascii_uppercase();
+        match meant.as_str() {
+            "VAR_STAT" | "VAR_GENERIC" => {
+                self.unsupported(self.token().span, &format!("{meant} sections"));
+            }
+            _ => {
+                self.expected("a section such as `VAR`, `VAR CONSTANT` or `VAR_INPUT`");
+            }
+        }
+        Some(match &meant[4..] {
+            "IN" | "INPUTS" => VariableKind::Input,
+            "OUT" | "OUTPUTS" => VariableKind::Output,
+            _ => VariableKind::Local,
+        })
+    }
+
     /// Moves to the start of the next line, or to the next section, statement or END_… on this one.
     pub(super) fn skip_line(&mut self) {
         while !self.starts_line() || self.position() == 0 {
@@ -132,6 +172,17 @@ impl Parser<'_, '_> {
     pub(super) fn skip_body(&mut self) {
         while self.kind() != TokenKind::End && !self.kind().closes_pou() && !self.kind().opens_declaration() {
             self.bump();
+        }
+    }
+
+    /// Moves behind the next name `closer`, or to a keyword that it cannot stand behind.
+    pub(super) fn skip_past_word(&mut self, closer: &str) {
+        while self.kind() != TokenKind::End && !self.kind().closes_pou() {
+            let found = self.at_word(closer);
+            self.bump();
+            if found {
+                return;
+            }
         }
     }
 

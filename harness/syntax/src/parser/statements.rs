@@ -62,7 +62,13 @@ impl<'s> Parser<'s, '_> {
             Ok(kind) => {
                 let is_block = is_block(&kind);
                 let span = first.to(self.previous_span());
-                let end = self.semicolon(TokenKind::Assign);
+                let end = match is_block && self.dialect.ends_without_semicolon {
+                    true => {
+                        self.eat(TokenKind::Semicolon);
+                        Ok(())
+                    }
+                    false => self.semicolon(TokenKind::Assign),
+                };
                 if is_block || end.is_ok() {
                     list.push(Statement { kind, span });
                 }
@@ -115,7 +121,11 @@ impl<'s> Parser<'s, '_> {
             }
             self.bump();
             let value = self.expression()?;
+            self.unsupported_chain()?;
             return Ok(StatementKind::Assignment { target, value });
+        }
+        if self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF") {
+            return self.binding(target);
         }
         self.unsupported_assignment(start)?;
         if self.is_call(target) {
@@ -125,6 +135,18 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Equal => self.expected("`:=`"),
             _ => self.missing("`:=` or a call"),
         })
+    }
+
+    /// `target REF= value`.
+    fn binding(&mut self, target: ExpressionId) -> ParseResult<StatementKind> {
+        let start = self.bump().span;
+        let span = start.to(self.bump().span);
+        let has = self.has_pointers("reference-binding", "REF=", span);
+        let value = self.expression()?;
+        match has {
+            true => Ok(StatementKind::Binding { target, value }),
+            false => Err(Broken),
+        }
     }
 
     fn is_call(&self, id: ExpressionId) -> bool {

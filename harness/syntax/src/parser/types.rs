@@ -3,14 +3,15 @@
 use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
-use crate::tree::{ExpressionId, Name, TypeSpecification, TypeSpecificationKind as Kind};
-use stickler_types::Code;
+use crate::tree::{ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind};
+use stickler_types::{Code, Dialect};
 
 impl<'s> Parser<'s, '_> {
     /// A type.
     pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
+            TokenKind::Name if parser.unsupported_union() => Ok(Kind::Error),
             TokenKind::Name => parser.named_type(),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
@@ -25,8 +26,8 @@ impl<'s> Parser<'s, '_> {
 
     /// A type that begins with a name.
     fn named_type(&mut self) -> ParseResult<Kind<'s>> {
-        if self.unsupported_reference()? {
-            return Ok(Kind::Error);
+        if let Some(form) = self.pointer_form() {
+            return self.pointer_type(form);
         }
         let name = self.name("a type")?;
         match self.kind() {
@@ -44,10 +45,7 @@ impl<'s> Parser<'s, '_> {
             }
             TokenKind::LeftParen if self.at_enumeration() => self.enumeration_type(Some(name)),
             TokenKind::LeftParen => self.subrange_type(name),
-            TokenKind::Dot => {
-                self.unsupported_qualified_type(name.span);
-                Ok(Kind::Error)
-            }
+            TokenKind::Dot => Ok(self.qualified_type(name.span)),
             _ => Ok(Kind::Named(name)),
         }
     }
@@ -138,6 +136,50 @@ impl<'s> Parser<'s, '_> {
         Ok(Kind::Array { dimensions, element })
     }
 
+    /// Returns the form of the reference or pointer type that begins here; `None` where the word is a name like others.
+    fn pointer_form(&mut self) -> Option<PointerForm> {
+        let (to, forms): (usize, &[PointerForm]) = match self.nth(1) {
+            TokenKind::To => (1, &[PointerForm::PointerTo, PointerForm::ReferenceTo]),
+            _ => (0, &[PointerForm::RefTo]),
+        };
+        let begins_type = matches!(
+            self.nth(1 + to),
+            TokenKind::Name | TokenKind::Array | TokenKind::LeftParen | TokenKind::Struct
+        );
+        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let mut forms = forms.iter().copied();
+        forms.find(|form| begins_type && self.at_word(word(form)))
+    }
+
+    /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`.
+    fn pointer_type(&mut self, form: PointerForm) -> ParseResult<Kind<'s>> {
+        let start = self.bump().span;
+        self.eat(TokenKind::To);
+        let span = start.to(self.previous_span());
+        let has = self.has_pointers(form.feature(), form.words(), span);
+        let target = Box::new(self.type_specification()?);
+        Ok(if has {
+            Kind::Pointer { form, target }
+        } else {
+            Kind::Error
+        })
+    }
+
+    /// Returns whether the dialect has a feature of references and pointers; reports the words at `span` where it has not.
+    pub(super) fn has_pointers(&mut self, feature: &str, words: &str, span: Span) -> bool {
+        let has = self.dialect.has_pointers(feature);
+        if !has && Dialect::is_third_edition_pointer(feature) {
+            self.report(Code::Std2013Feature, span, || {
+                format!("`{words}` is of the third edition of the standard; the dialect does not have it")
+            });
+        } else if !has {
+            self.report(Code::SyntaxError, span, || {
+                format!("`{words}` is an extension of the standard that the dialect does not have")
+            });
+        }
+        has
+    }
+
     /// `STRUCT … END_STRUCT`.
     fn structure_type(&mut self) -> ParseResult<Kind<'s>> {
         self.bump();
@@ -152,18 +194,26 @@ impl<'s> Parser<'s, '_> {
         })
     }
 
-    /// Moves over `.name.name` behind a namespace's name.
-    pub(super) fn unsupported_qualified_type(&mut self, start: Span) {
+    /// `.name.name` behind the name of a namespace.
+    pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();
         }
-        self.unsupported(start.to(self.previous_span()), "names qualified by a namespace");
-    }
-
-    /// Moves over a type whose use is not implemented.
-    pub(super) fn ignored_type(&mut self) -> ParseResult<()> {
-        self.type_specification().map(|_| ())
+        let span = start.to(self.previous_span());
+        let text = span.text(self.text);
+        let is_joined = text
+            .bytes()
+            .all(|byte| byte == b'.' || byte == b'_' || byte.is_ascii_alphanumeric());
+        if self.dialect.library_namespaces && is_joined {
+            return Kind::Named(Name { text, span });
+        }
+        let features = match self.dialect.library_namespaces {
+            true => "qualified names with blanks or comments between their parts",
+            false => "names qualified by a namespace",
+        };
+        self.unsupported(span, features);
+        Kind::Error
     }
 }
 

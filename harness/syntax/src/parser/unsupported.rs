@@ -111,27 +111,13 @@ impl<'s> Parser<'s, '_> {
             && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
-    /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`; says whether there was one.
-    pub(super) fn unsupported_reference(&mut self) -> ParseResult<bool> {
-        let start = self.token().span;
-        let (to, words): (usize, &[&str]) = match self.nth(1) {
-            TokenKind::To => (1, &["POINTER", "REFERENCE"]),
-            _ => (0, &["REF_TO"]),
-        };
-        let begins_type = matches!(
-            self.nth(1 + to),
-            TokenKind::Name | TokenKind::Array | TokenKind::LeftParen
-        );
-        if !begins_type || !self.at_any_word(words) {
-            return Ok(false);
+    /// `UNION … END_UNION`; says whether there was one.
+    pub(super) fn unsupported_union(&mut self) -> bool {
+        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&["UNION"], "unions (UNION)");
+        if found {
+            self.skip_past_word("END_UNION");
         }
-        for _ in 0..=to {
-            self.bump();
-        }
-        let features = "references and pointers (REF_TO, POINTER TO, REFERENCE TO)";
-        self.unsupported(start.to(self.previous_span()), features);
-        self.ignored_type()?;
-        Ok(true)
+        found
     }
 
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
@@ -183,19 +169,34 @@ impl<'s> Parser<'s, '_> {
         Err(Broken)
     }
 
-    /// `?=`, `S=`, `R=` or `REF=` behind the variable that begins at `start`.
+    /// `?=`, `S=` or `R=` behind the variable that begins at `start`.
     pub(super) fn unsupported_assignment(&mut self, start: Span) -> ParseResult<()> {
         let features = match self.kind() {
             TokenKind::AssignAttempt => "assignment attempts (`?=`)",
             TokenKind::Name if self.nth(1) == TokenKind::Equal && self.at_any_word(&["S", "R"]) => {
                 "set and reset assignments (`S=`, `R=`)"
             }
-            TokenKind::Name if self.nth(1) == TokenKind::Equal && self.at_word("REF") => {
-                "references and pointers (`REF=`)"
-            }
             _ => return Ok(()),
         };
         self.unsupported(start.to(self.token().span), features);
+        Err(Broken)
+    }
+
+    /// `:=` behind the value of an assignment, on the same line.
+    pub(super) fn unsupported_chain(&mut self) -> ParseResult<()> {
+        if self.kind() != TokenKind::Assign || self.previous_kind() != Some(TokenKind::Name) {
+            return Ok(());
+        }
+        self.back();
+        let begins_line = self.starts_line();
+        let start = self.bump().span;
+        if begins_line {
+            return Ok(());
+        }
+        self.unsupported(
+            start.to(self.token().span),
+            "assignments as expressions (`a := b := c`)",
+        );
         Err(Broken)
     }
 

@@ -14,10 +14,12 @@ use stickler_types::Code;
 impl<'s> Parser<'s, '_> {
     /// VAR… to END_VAR; `None` for a section that is not implemented.
     pub(super) fn variable_block(&mut self) -> Option<VariableBlock<'s>> {
-        let Some(kind) = variable_kind(self.kind()) else {
+        let misspelt = self.misspelt_section();
+        let Some(kind) = misspelt.or_else(|| variable_kind(self.kind())) else {
             self.unsupported_section();
             return None;
         };
+        let is_constant = misspelt.is_some() && self.at_word("VAR_CONSTANT");
         let start = self.bump().span;
         if kind == VariableKind::Instance {
             match self.blocks.last() {
@@ -27,7 +29,10 @@ impl<'s> Parser<'s, '_> {
                 }),
             }
         }
-        let (access, constant, retention) = self.qualifiers(kind);
+        let (access, constant, retention) = match misspelt {
+            Some(_) => (None, is_constant, None),
+            None => self.qualifiers(kind),
+        };
         self.section_end = None;
         let groups = self.variable_groups(TokenKind::EndVar);
         Some(VariableBlock {
@@ -77,7 +82,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// The next token is a name which a declaration begins with.
-    fn names_a_variable(&self) -> bool {
+    pub(super) fn names_a_variable(&self) -> bool {
         matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
     }
 
@@ -88,6 +93,12 @@ impl<'s> Parser<'s, '_> {
             match self.kind() {
                 kind if kind == closer => {
                     self.bump();
+                    return groups;
+                }
+                TokenKind::Name if closer == TokenKind::EndVar && self.at_misspelt_section_end() => {
+                    self.expected("`END_VAR`");
+                    self.bump();
+                    self.eat(TokenKind::Semicolon);
                     return groups;
                 }
                 TokenKind::Name if closer == TokenKind::EndVar && self.at_statement() => {
@@ -263,11 +274,21 @@ impl<'s> Parser<'s, '_> {
     /// `:= initializer`, if it is there, and the `;` behind a declaration. Of a type that is not known nothing
     /// can be initialized.
     pub(super) fn optional_initializer(&mut self, of: &TypeSpecification) -> Option<Initializer<'s>> {
-        let read = if self.eat(TokenKind::Assign) {
+        // What an initial value gives to a reference is a variable, so that both signs mean the same.
+        let binds = self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF");
+        let read = if binds && matches!(of.kind, TypeSpecificationKind::Pointer { .. }) {
+            self.bump();
+            self.bump();
+            self.initializer().map(Some)
+        } else if self.eat(TokenKind::Assign) {
             self.initializer().map(Some)
         } else {
             Ok(None)
         };
+        let is_structure = matches!(of.kind, TypeSpecificationKind::Structure(_));
+        if is_structure && self.dialect.ends_without_semicolon && self.kind() == TokenKind::EndType {
+            return None;
+        }
         let read = read.and_then(|initializer| match self.semicolon(TokenKind::Colon) {
             Ok(()) => Ok(initializer),
             Err(broken) => Err(broken),

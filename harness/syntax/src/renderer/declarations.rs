@@ -204,6 +204,11 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" OF ");
                 self.specification(element);
             }
+            TypeSpecificationKind::Pointer { form, target } => {
+                self.put(form.words());
+                self.put(" ");
+                self.specification(target);
+            }
             TypeSpecificationKind::Enumeration { base, values } => {
                 if let Some(base) = base {
                     self.type_name(base);

@@ -37,6 +37,11 @@ impl<'u, 's> Writer<'u, 's> {
                 self.between_brackets(|writer| writer.expressions(subscripts));
                 return self.names.element(of);
             }
+            ExpressionKind::Dereference { base } => {
+                let of = self.expression(*base);
+                self.put("^");
+                return of;
+            }
             ExpressionKind::Bit { base, index } => {
                 self.expression(*base);
                 self.put(".");

@@ -3,7 +3,7 @@
 
 use crate::tree::{
     CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
-    VariableBlock, VariableGroup,
+    VariableBlock, VariableGroup, own_instance,
 };
 use rustc_hash::FxHashMap;
 
@@ -178,6 +178,7 @@ impl<'u, 's> Names<'u, 's> {
                 self.declare_members(specification.span.start, fields)
             }
             TypeSpecificationKind::Array { element, .. } => self.declare_parts(element),
+            TypeSpecificationKind::Pointer { target, .. } => self.declare_parts(target),
             _ => {}
         }
     }
@@ -197,12 +198,11 @@ impl<'u, 's> Names<'u, 's> {
     /// The POU whose instance THIS or SUPER names in the POU at a place.
     fn own_instance(&self, place: u32, name: &'s str) -> Option<NameEntry<'u, 's>> {
         let owner = self.outer.get(&place)?.owner?;
-        let is = |word: &str| name.trim_end_matches('^').eq_ignore_ascii_case(word);
-        if is("THIS") {
-            return Some((name, NameShape::Pou(owner)));
-        }
-        let base = owner.extends.first().filter(|_| is("SUPER"))?;
-        Some((name, self.shape_of(base.text)?))
+        let shape = match own_instance(name)? {
+            "THIS" => NameShape::Pou(owner),
+            _ => self.shape_of(owner.extends.first()?.text)?,
+        };
+        Some((name, shape))
     }
 
     /// A field of, or a parameter of, something of this shape.
@@ -253,15 +253,19 @@ impl<'u, 's> Names<'u, 's> {
             .map_or(name, |(spelling, _)| *spelling)
     }
 
-    /// Returns the types that names of types stand for in the end.
+    /// Returns the types that names of types stand for in the end; of references and pointers what these lead to.
     fn resolve(&self, mut shape: NameShape<'u, 's>) -> NameShape<'u, 's> {
         for _ in 0..MAX_ALIASES {
-            let NameShape::Typed(TypeSpecification {
-                kind: TypeSpecificationKind::Named(name),
-                ..
-            }) = shape
-            else {
+            let NameShape::Typed(specification) = shape else {
                 return shape;
+            };
+            let name = match &specification.kind {
+                TypeSpecificationKind::Named(name) => name,
+                TypeSpecificationKind::Pointer { target, .. } => {
+                    shape = NameShape::Typed(target);
+                    continue;
+                }
+                _ => return shape,
             };
             let Some(named) = self.shape_of(name.text) else {
                 break;

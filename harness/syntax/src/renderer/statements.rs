@@ -26,6 +26,11 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" := ");
                 self.expression(*value);
             }
+            StatementKind::Binding { target, value } => {
+                self.expression(*target);
+                self.put(" REF= ");
+                self.expression(*value);
+            }
             StatementKind::Call(call) => {
                 self.expression(*call);
             }

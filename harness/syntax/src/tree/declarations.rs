@@ -219,6 +219,13 @@ pub enum TypeSpecificationKind<'s> {
         /// The elements' type.
         element: Box<TypeSpecification<'s>>,
     },
+    /// `REF_TO target`, `POINTER TO target` or `REFERENCE TO target`.
+    Pointer {
+        /// The words in front of the type.
+        form: PointerForm,
+        /// The type of what it leads to.
+        target: Box<TypeSpecification<'s>>,
+    },
     /// `(RED, GREEN := 5, BLUE)`, with a base type in front where one is written.
     Enumeration {
         /// `INT` of `INT (RED, GREEN)`.
@@ -231,6 +238,39 @@ pub enum TypeSpecificationKind<'s> {
     /// A type that could not be read, or that names something that is not implemented; a diagnostic has been
     /// given, and nothing more is said about what is declared with it.
     Error,
+}
+
+/// The words that make a type one of references or pointers.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum PointerForm {
+    /// `REF_TO`: the standard's references, followed by `^`.
+    RefTo,
+    /// `POINTER TO`: an address, followed by `^`.
+    PointerTo,
+    /// `REFERENCE TO`: another name of the variable to which `REF=` binds it.
+    ReferenceTo,
+}
+
+impl PointerForm {
+    /// Returns the words as they are written.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            PointerForm::RefTo => "REF_TO",
+            PointerForm::PointerTo => "POINTER TO",
+            PointerForm::ReferenceTo => "REFERENCE TO",
+        }
+    }
+
+    /// Returns the key of the feature in `conformance-cases/features.toml`.
+    #[must_use]
+    pub const fn feature(self) -> &'static str {
+        match self {
+            PointerForm::RefTo => "reference",
+            PointerForm::PointerTo => "pointer",
+            PointerForm::ReferenceTo => "reference-to",
+        }
+    }
 }
 
 /// An initial value.

@@ -36,6 +36,11 @@ pub enum ExpressionKind<'s> {
         /// The subscripts.
         subscripts: Vec<ExpressionId>,
     },
+    /// `base^`: what a reference or pointer leads to.
+    Dereference {
+        /// The reference or pointer.
+        base: ExpressionId,
+    },
     /// `base.3` or `base.%X3`, where the dialect has that form.
     Bit {
         /// The variable.

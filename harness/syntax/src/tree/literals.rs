@@ -24,6 +24,15 @@ impl<'s> Prefixed<'s> {
         }
     }
 
+    /// Takes the word `TYPE.VALUE` that is written as `written` and begins at byte `start`, with a type of this length.
+    pub(crate) fn behind_point(written: &'s str, start: u32, prefix: u32) -> Prefixed<'s> {
+        Prefixed {
+            written,
+            start,
+            prefix,
+        }
+    }
+
     /// Returns the word before the `#`: `COLOR` of `COLOR#RED`.
     #[must_use]
     pub fn prefix(&self) -> Name<'s> {

@@ -14,7 +14,26 @@ pub struct Name<'s> {
     pub span: Span,
 }
 
-impl Name<'_> {
+/// Returns `THIS` or `SUPER` for a name of the instance whose code is running, behind which `^` may stand; `None` for other names.
+#[must_use]
+pub fn own_instance(name: &str) -> Option<&'static str> {
+    let word = name.trim_end_matches('^');
+    ["THIS", "SUPER"]
+        .into_iter()
+        .find(|own| own.eq_ignore_ascii_case(word))
+}
+
+impl<'s> Name<'s> {
+    /// Returns the name of a type without the namespaces that qualify it: `CALENDAR` of `OSCAT_BASIC.CALENDAR`.
+    #[must_use]
+    pub fn unqualified(self) -> Name<'s> {
+        let text = self.text.rsplit('.').next().unwrap_or(self.text).trim_start();
+        // It is the end of a text that 32 bits measure.
+        let start = self.span.end - text.len() as u32;
+        let span = Span { start, ..self.span };
+        Name { text, span }
+    }
+
     /// Returns whether the identifier is this one, in any ASCII case.
     #[must_use]
     pub fn is(&self, name: &str) -> bool {

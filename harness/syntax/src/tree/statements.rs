@@ -22,6 +22,13 @@ pub enum StatementKind {
         /// The value.
         value: ExpressionId,
     },
+    /// `target REF= value`: binds a reference to a variable.
+    Binding {
+        /// The reference.
+        target: ExpressionId,
+        /// The variable, or a reference that is bound to it.
+        value: ExpressionId,
+    },
     /// A call as a statement: its expression is an [`ExpressionKind::Call`](super::ExpressionKind::Call).
     Call(ExpressionId),
     /// IF … ELSIF … ELSE … END_IF.

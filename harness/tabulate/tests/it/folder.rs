@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use stickler_suite::{Case, Suite, Wanted};
 use stickler_tabulate::call::Call;
-use stickler_tabulate::{folder, generate};
+use stickler_tabulate::{blocks, folder, generate};
 use stickler_types::DialectName;
 
 #[test]
@@ -23,6 +23,19 @@ fn the_folder_holds_the_rows_that_the_program_writes() {
         shown.is_empty(),
         "{shown}\nto rewrite the tables: cargo xtask tabulate"
     );
+}
+
+#[test]
+fn the_sequences_of_blocks_are_those_that_the_program_writes() {
+    for table in blocks::block_tables(&root()).unwrap() {
+        let first = table
+            .text
+            .lines()
+            .zip(table.wanted.lines())
+            .find(|(found, wanted)| found != wanted);
+        assert_eq!(first, None, "{}: cargo xtask tabulate", table.path.display());
+        assert_eq!(table.text.len(), table.wanted.len(), "{}", table.path.display());
+    }
 }
 
 #[test]

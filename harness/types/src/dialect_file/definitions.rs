@@ -1,8 +1,8 @@
 //! Reads the tables `[dialects.NAME]` of `stickler.toml`.
 
-use super::draft::Draft;
+use super::draft::{Draft, Written};
 use super::override_tables::overrides;
-use super::table::{ConfigurationMistake, table, text};
+use super::table::{ConfigurationMistake, Read, table, text};
 use crate::near::{advice, list};
 use crate::{Dialect, DialectName, ElementaryType};
 use std::collections::BTreeMap;
@@ -25,9 +25,6 @@ const KEYS: [&str; 8] = [
 /// The greatest length of a dialect's name.
 const MAX_NAME_LEN: usize = 64;
 
-/// Formats a position in the file for messages.
-type Written<'w> = &'w dyn Fn(&Range<usize>) -> String;
-
 /// A table of the file, with its name.
 struct DialectTable<'v, 'i> {
     name: &'v str,
@@ -44,7 +41,7 @@ pub fn definitions(
     dialects: &DeTable<'_>,
     written: Written<'_>,
     converts: fn(ElementaryType, ElementaryType) -> bool,
-) -> Result<Vec<(Dialect, Range<usize>)>, ConfigurationMistake> {
+) -> Read<Vec<(Dialect, Range<usize>)>> {
     let mut entries = Vec::new();
     for (key, value) in dialects.iter() {
         let (name, span) = (key.get_ref().as_ref(), key.span());
@@ -87,7 +84,7 @@ pub fn definitions(
 }
 
 /// Checks that a name means nothing else on the command line, in a filter or in the key of a case.
-fn check_name(name: &str, span: &Range<usize>) -> Result<(), ConfigurationMistake> {
+fn check_name(name: &str, span: &Range<usize>) -> Read<()> {
     let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(plain)
@@ -119,7 +116,7 @@ enum Base {
     Defined(usize, Range<usize>),
 }
 
-fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, ConfigurationMistake> {
+fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Read<Base> {
     let Some(extends) = entry.keys.get("extends") else {
         let message = format!(
             "`[dialects.{}]` does not say which dialect it extends, by `extends = \"…\"`; there are {}",
@@ -164,7 +161,7 @@ fn definition(
     entry: &DialectTable<'_, '_>,
     start: Dialect,
     (written, converts): (Written<'_>, fn(ElementaryType, ElementaryType) -> bool),
-) -> Result<Dialect, ConfigurationMistake> {
+) -> Read<Dialect> {
     let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
     let mut draft = Draft {
         dialect: start,
@@ -189,7 +186,7 @@ fn definition(
 }
 
 /// Reads a text for people, which terminals and reports show.
-pub(crate) fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
+pub(crate) fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Read<String> {
     let words = text(key, value)?;
     match words.chars().any(char::is_control) {
         true => Err(ConfigurationMistake::at(

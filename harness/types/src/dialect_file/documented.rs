@@ -2,18 +2,19 @@
 
 use super::definitions::words;
 use super::draft::Draft;
-use super::override_tables::{choices, overrides};
-use super::table::{ConfigurationMistake, mistake, table, text};
+use super::override_tables::{choices, elementary, overrides};
+use super::table::{ConfigurationMistake, Read, mistake, table, text};
 use crate::choice::Choice;
 use crate::documents::PageOnReals;
 use crate::near::advice;
-use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, OutOfRange, Rounding};
+use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, ElementaryType, OutOfRange, Rounding};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the file.
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 16] = [
     "title",
     "about",
     "order",
@@ -28,6 +29,8 @@ const KEYS: [&str; 14] = [
     "conversions",
     "operators",
     "implicit",
+    "names",
+    "inputs",
 ];
 
 /// The content of the file of a documented system.
@@ -72,7 +75,7 @@ pub fn read_documented(
     text: &str,
     place: &str,
     extended: &dyn Fn(&str) -> Option<Dialect>,
-) -> Result<DialectFile, ConfigurationMistake> {
+) -> Read<DialectFile> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let keys = document.get_ref();
     let mut draft = draft(Dialect {
@@ -90,6 +93,8 @@ pub fn read_documented(
             "asked-beside" => dialect.asked_beside = Some(text_of(key, value)?),
             "features" => features(&mut dialect.features, table(key, value)?)?,
             "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,
+            "names" => names(&mut dialect.names, table(key, value)?)?,
+            "inputs" => inputs(&mut draft, table(key, value)?)?,
             "page-on-reals" => {
                 dialect.documents.page_on_reals = Some(page_on_reals(table(key, value)?, &at)?)
             }
@@ -127,10 +132,7 @@ fn draft(dialect: Dialect) -> Draft<'static> {
 }
 
 /// Returns what the file begins with: the system that it extends, or the defaults.
-fn start(
-    keys: &DeTable<'_>,
-    extended: &dyn Fn(&str) -> Option<Dialect>,
-) -> Result<Dialect, ConfigurationMistake> {
+fn start(keys: &DeTable<'_>, extended: &dyn Fn(&str) -> Option<Dialect>) -> Read<Dialect> {
     let Some(extends) = keys.get("extends") else {
         return Ok(Dialect::DEFAULT);
     };
@@ -149,7 +151,7 @@ fn start(
 }
 
 /// Reads what the system says of the features of the language. Whether there is a feature of a name, the suite says, which has their list.
-fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Result<(), ConfigurationMistake> {
+fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Read<()> {
     for (key, value) in keys.iter() {
         match key.get_ref().as_ref() {
             "edition" => declared.edition = Some(edition(value)?),
@@ -169,7 +171,29 @@ fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Result<(), C
     Ok(())
 }
 
-fn edition(value: &Spanned<DeValue<'_>>) -> Result<u8, ConfigurationMistake> {
+/// Reads the names that the system has for types and functions of the standard: `MULTIME = "MUL"`.
+fn names(names: &mut BTreeMap<String, String>, keys: &DeTable<'_>) -> Read<()> {
+    for (key, value) in keys.iter() {
+        let name = key.get_ref().to_ascii_uppercase();
+        names.insert(name, text_of(key.get_ref(), value)?.to_ascii_uppercase());
+    }
+    Ok(())
+}
+
+/// Reads the types that TO_TIME and its kin take, by the type that they give: `TIME = ["LTIME", "DINT"]`.
+fn inputs(draft: &mut Draft<'_>, keys: &DeTable<'_>) -> Read<()> {
+    for (key, value) in keys.iter() {
+        let to = elementary(key.get_ref(), &key.span(), draft)?;
+        let names = texts(key.get_ref(), value)?.into_iter();
+        let types = names.map(|name| elementary(&name, &value.span(), draft));
+        // A few lists for each file, which is read once.
+        let types: &'static [ElementaryType] = Vec::leak(types.collect::<Result<_, _>>()?);
+        draft.dialect.inputs.insert(to, types);
+    }
+    Ok(())
+}
+
+fn edition(value: &Spanned<DeValue<'_>>) -> Read<u8> {
     let number = value
         .get_ref()
         .as_integer()
@@ -180,7 +204,7 @@ fn edition(value: &Spanned<DeValue<'_>>) -> Result<u8, ConfigurationMistake> {
     })
 }
 
-fn page_on_reals(keys: &DeTable<'_>, at: &Range<usize>) -> Result<PageOnReals, ConfigurationMistake> {
+fn page_on_reals(keys: &DeTable<'_>, at: &Range<usize>) -> Read<PageOnReals> {
     let get = |name: &str| {
         let missing = || ConfigurationMistake::at(at.clone(), format!("`[page-on-reals]` has no `{name}`"));
         keys.get(name).ok_or_else(missing)
@@ -196,11 +220,7 @@ fn page_on_reals(keys: &DeTable<'_>, at: &Range<usize>) -> Result<PageOnReals, C
 }
 
 /// Reads the variants of a system.
-fn variants(
-    keys: &DeTable<'_>,
-    base: &Dialect,
-    (text, place): (&str, &str),
-) -> Result<Vec<Dialect>, ConfigurationMistake> {
+fn variants(keys: &DeTable<'_>, base: &Dialect, (text, place): (&str, &str)) -> Read<Vec<Dialect>> {
     let mut found = Vec::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
@@ -228,7 +248,7 @@ fn line(text: &str, at: usize) -> usize {
         .map_or(1, |before| before.matches('\n').count() + 1)
 }
 
-fn texts(key: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, ConfigurationMistake> {
+fn texts(key: &str, value: &Spanned<DeValue<'_>>) -> Read<Vec<String>> {
     let Some(items) = value.get_ref().as_array() else {
         return Err(ConfigurationMistake::at(
             value.span(),
@@ -238,16 +258,12 @@ fn texts(key: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, Configu
     items.iter().map(|item| text_of(key, item)).collect()
 }
 
-fn text_of(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
+fn text_of(key: &str, value: &Spanned<DeValue<'_>>) -> Read<String> {
     text(key, value).map(|text| text.trim().to_owned())
 }
 
 /// Makes the choice that a value names.
-fn stated(
-    choice: &mut dyn Choice,
-    key: &str,
-    value: &Spanned<DeValue<'_>>,
-) -> Result<(), ConfigurationMistake> {
+fn stated(choice: &mut dyn Choice, key: &str, value: &Spanned<DeValue<'_>>) -> Read<()> {
     let wrong = |message| ConfigurationMistake::at(value.span(), format!("`{key}` {message}"));
     choice.state(key, value.get_ref()).map_err(wrong)
 }

@@ -1,7 +1,7 @@
 //! Reads the overrides of a dialect: the tables `implicit`, `flags`, `language`, `conversions` and `operators`.
 
 use super::draft::Draft;
-use super::table::{ConfigurationMistake, table};
+use super::table::{ConfigurationMistake, Read, table};
 use crate::choice::one_of;
 use crate::dialect::{Pair, Stated, TABLES, ThirdEditionTypes};
 use crate::near::{advice, list};
@@ -23,25 +23,17 @@ const WORDS: [MatrixWord; 4] = [
 ///
 /// # Errors
 /// The first mistake in one of them; other keys are not looked at.
-pub(crate) fn overrides(
-    keys: &DeTable<'_>,
-    whose: &str,
-    draft: &mut Draft<'_>,
-) -> Result<(), ConfigurationMistake> {
+pub(crate) fn overrides(keys: &DeTable<'_>, whose: &str, draft: &mut Draft<'_>) -> Read<()> {
     let find = |name: &str| {
-        let value = keys.get(name);
-        value
-            .map(|value| table(&format!("{whose}{name}"), value))
-            .transpose()
+        let found = keys
+            .get(name)
+            .map(|value| table(&format!("{whose}{name}"), value));
+        found.transpose()
     };
     for name in TABLES {
         if let Some(keys) = find(name)? {
-            choices(
-                keys,
-                name,
-                &format!("[dialects.{}.{name}]", draft.dialect.spelling),
-                draft,
-            )?;
+            let whose = format!("[dialects.{}.{name}]", draft.dialect.spelling);
+            choices(keys, name, &whose, draft)?;
         }
     }
     // Which types there are depends on the tables before it.
@@ -55,36 +47,20 @@ pub(crate) fn overrides(
 ///
 /// # Errors
 /// An unknown key, or a value that the key cannot have.
-pub(crate) fn choices(
-    keys: &DeTable<'_>,
-    name: &str,
-    whose: &str,
-    draft: &mut Draft<'_>,
-) -> Result<(), ConfigurationMistake> {
+pub(crate) fn choices(keys: &DeTable<'_>, name: &str, whose: &str, draft: &mut Draft<'_>) -> Read<()> {
     for (key, value) in keys.iter() {
         let (at, key) = (key.span(), key.get_ref().as_ref());
         let basis = draft.basis(key, &at);
-        match draft
+        let unknown = || {
+            let known: Vec<&str> = Dialect::keys_of(name).collect();
+            ConfigurationMistake::unknown_key(at, key, &format!("of `{whose}`"), &known)
+        };
+        let stated = draft
             .dialect
-            .state(&format!("{name}.{key}"), value.get_ref(), basis)
-        {
-            Some(Ok(())) => {}
-            Some(Err(message)) => {
-                return Err(ConfigurationMistake::at(
-                    value.span(),
-                    format!("`{key}` {message}"),
-                ));
-            }
-            None => {
-                let known: Vec<&str> = Dialect::keys_of(name).collect();
-                return Err(ConfigurationMistake::unknown_key(
-                    at,
-                    key,
-                    &format!("of `{whose}`"),
-                    &known,
-                ));
-            }
-        }
+            .state(&format!("{name}.{key}"), value.get_ref(), basis);
+        stated
+            .ok_or_else(unknown)?
+            .map_err(|message| ConfigurationMistake::at(value.span(), format!("`{key}` {message}")))?;
     }
     Ok(())
 }
@@ -94,7 +70,7 @@ pub(crate) fn choices(
 /// # Errors
 /// An unknown type, a type that the dialect does not have, a pair that cannot be overridden or is stated twice, or an
 /// unknown word.
-fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Read<()> {
     let mut read = BTreeSet::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
@@ -123,7 +99,7 @@ fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Configurati
 }
 
 /// Checks that a pair is stated once; it can be written with and without quotes, which are different keys to TOML.
-fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), ConfigurationMistake> {
+fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Read<()> {
     if read.insert(pair) {
         return Ok(());
     }
@@ -136,7 +112,7 @@ fn cell(
     (to, to_at): (&str, &Range<usize>),
     value: &Spanned<DeValue<'_>>,
     draft: &mut Draft<'_>,
-) -> Result<Pair, ConfigurationMistake> {
+) -> Read<Pair> {
     let key = format!("{from}.{to}");
     let (from, to) = (elementary(from, from_at, draft)?, elementary(to, to_at, draft)?);
     if from == to {
@@ -161,11 +137,7 @@ fn cell(
 }
 
 /// Returns the elementary type of a name, if the dialect has it.
-fn elementary(
-    name: &str,
-    at: &Range<usize>,
-    draft: &Draft<'_>,
-) -> Result<ElementaryType, ConfigurationMistake> {
+pub(crate) fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Read<ElementaryType> {
     let types = ElementaryType::ALL.map(ElementaryType::name);
     let found = ElementaryType::ALL.into_iter().find(|ty| ty.name() == name);
     let ty = found.ok_or_else(|| {
@@ -173,16 +145,12 @@ fn elementary(
         ConfigurationMistake::at(at.clone(), message)
     })?;
     if ty.is_third_edition() && draft.dialect.third_edition_types == ThirdEditionTypes::None {
+        let third_edition = ElementaryType::ALL.into_iter().filter(|ty| ty.is_third_edition());
         let message = format!(
             "`{}` has no type {ty}, for {} has none; `third-edition-types = true` among its flags gives it {}",
             draft.dialect.spelling,
             draft.dialect.base,
-            list(
-                ElementaryType::ALL
-                    .into_iter()
-                    .filter(|ty| ty.is_third_edition())
-                    .map(ElementaryType::name)
-            )
+            list(third_edition.map(ElementaryType::name))
         );
         return Err(ConfigurationMistake::at(at.clone(), message));
     }

@@ -15,6 +15,9 @@ pub struct ConfigurationMistake {
     pub message: String,
 }
 
+/// What is read of a file, or the first mistake in it.
+pub type Read<T> = Result<T, ConfigurationMistake>;
+
 impl ConfigurationMistake {
     /// Returns a mistake at a position.
     pub fn at(span: Range<usize>, message: impl Into<String>) -> ConfigurationMistake {
@@ -35,10 +38,7 @@ impl ConfigurationMistake {
 ///
 /// # Errors
 /// A mistake, if the value is not a table.
-pub fn table<'v, 'i>(
-    name: &str,
-    value: &'v Spanned<DeValue<'i>>,
-) -> Result<&'v DeTable<'i>, ConfigurationMistake> {
+pub fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Read<&'v DeTable<'i>> {
     value.get_ref().as_table().ok_or_else(|| {
         let found = value.get_ref().type_str();
         ConfigurationMistake::at(
@@ -52,7 +52,7 @@ pub fn table<'v, 'i>(
 ///
 /// # Errors
 /// A mistake, if the value is not a text.
-pub fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, ConfigurationMistake> {
+pub fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Read<&'v str> {
     value.get_ref().as_str().ok_or_else(|| {
         let found = value.get_ref().type_str();
         ConfigurationMistake::at(
@@ -72,7 +72,7 @@ pub fn read<T: DeserializeOwned>(
     span: Range<usize>,
     whose: &str,
     further: &[&str],
-) -> Result<T, ConfigurationMistake> {
+) -> Read<T> {
     let spanned = Spanned::new(span.clone(), table.clone());
     T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose, further))
 }

@@ -103,9 +103,6 @@ impl Keeper {
 impl Unsaved {
     /// Returns the exit code for findings that could not be saved.
     pub fn exit(&self) -> Exit {
-        match self.error {
-            Some(_) => Exit::Usage,
-            None => Exit::AsExpected,
-        }
+        Exit::Usage.when(self.error.is_some())
     }
 }

@@ -33,7 +33,7 @@ pub fn execute(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> a
     let mut exit = Exit::AsExpected;
     for target in &arguments.target {
         let judged = target.judge(&bytes);
-        exit = exit.worst(exit_of(judged.is_err()));
+        exit = exit.worst(Exit::Failures.when(judged.is_err()));
         write_judged(&name, *target, &judged, out)?;
     }
     Ok(exit)
@@ -56,7 +56,7 @@ fn finding(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> anyho
     let engines: Vec<_> = engines.iter().map(under_test).collect();
     let replayed = replay(&finding, &engines)?;
     write_replayed(&finding, &replayed, out)?;
-    Ok(exit_of(replayed.shows()))
+    Ok(Exit::Failures.when(replayed.shows()))
 }
 
 /// Returns the names of the engines on the command line, or else of the engine that disagreed.
@@ -66,10 +66,6 @@ fn names(finding: &Finding, arguments: &FuzzArguments) -> Vec<String> {
         ([], None) => vec![engines::REFERENCE.to_owned()],
         (named, _) => named.to_vec(),
     }
-}
-
-fn exit_of(wrong: bool) -> Exit {
-    if wrong { Exit::Failures } else { Exit::AsExpected }
 }
 
 fn write_replayed(finding: &Finding, replayed: &Replayed, out: &mut dyn Write) -> io::Result<()> {
@@ -98,15 +94,10 @@ fn write_replayed(finding: &Finding, replayed: &Replayed, out: &mut dyn Write) -
             finding.id
         )?;
     }
-    writeln!(
-        out,
-        "{}",
-        if replayed.shows() {
-            "it is still there"
-        } else {
-            "it is not there any more"
-        }
-    )
+    match replayed.shows() {
+        true => writeln!(out, "it is still there"),
+        false => writeln!(out, "it is not there any more"),
+    }
 }
 
 fn write_judged(
@@ -116,8 +107,10 @@ fn write_judged(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match judged {
-        Ok(InputOutcome::Checked) => writeln!(out, "{name}: {} holds", target.name()),
-        Ok(InputOutcome::Skipped(word)) => writeln!(out, "{name}: {} passed it over: {word}", target.name()),
-        Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.name()),
+        Ok(InputOutcome::Checked) => writeln!(out, "{name}: {} holds", target.as_str()),
+        Ok(InputOutcome::Skipped(word)) => {
+            writeln!(out, "{name}: {} passed it over: {word}", target.as_str())
+        }
+        Err(failure) => writeln!(out, "{name}: {} fails: {failure}", target.as_str()),
     }
 }

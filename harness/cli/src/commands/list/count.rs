@@ -1,6 +1,6 @@
 //! `stickler list --count`: how many cases each dialect has in each area, and how many questions they ask.
 
-use super::write_json;
+use super::json_line;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, Write};
@@ -49,7 +49,7 @@ pub(super) fn write(out: &mut dyn Write, cases: &[&Case], json: bool) -> io::Res
     let all = CountLine::new("all", cases);
     let lines: Vec<CountLine<'_>> = lines.chain([all]).collect();
     if json {
-        return lines.iter().try_for_each(|line| write_json(out, line));
+        return lines.iter().try_for_each(|line| json_line(out, line));
     }
     let areas: Vec<&str> = lines
         .last()

@@ -1,6 +1,6 @@
 //! `stickler list --features`: how many cases use each feature of the language.
 
-use super::{BOLD, DIM, write_json};
+use super::{BOLD, DIM, json_line};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -50,7 +50,7 @@ pub(super) fn write(
         cases: number(&feature.key),
     });
     if json {
-        return Ok(lines.into_iter().try_for_each(|line| write_json(out, &line))?);
+        return Ok(lines.into_iter().try_for_each(|line| json_line(out, &line))?);
     }
     let width = features
         .iter()

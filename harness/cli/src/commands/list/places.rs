@@ -1,6 +1,6 @@
 //! `stickler list --places`: how many cases stand in each pair of places.
 
-use super::{BOLD, DIM, write_json};
+use super::{BOLD, DIM, json_line};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -32,7 +32,7 @@ pub(super) fn write(out: &mut dyn Write, cases: &[&Case], json: bool) -> io::Res
                 target,
                 surrounding,
             } = placement;
-            write_json(
+            json_line(
                 out,
                 &PlacesLine {
                     source,

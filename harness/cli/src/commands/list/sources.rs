@@ -1,6 +1,6 @@
 //! `stickler list --sources`: the sources of the claims, and Stickler's own rules.
 
-use super::{BOLD, DIM, write_json};
+use super::{BOLD, DIM, json_line};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ pub(in crate::commands) fn write(
         let sections = cited.remove(source.key.as_str()).unwrap_or_default();
         let lines = lines(source, &sections);
         match json {
-            true => lines.iter().try_for_each(|line| write_json(out, line))?,
+            true => lines.iter().try_for_each(|line| json_line(out, line))?,
             false => write_source(out, source, &lines)?,
         }
     }

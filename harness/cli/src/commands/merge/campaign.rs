@@ -53,17 +53,8 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
             first_line(&finding.message)
         )?;
     }
-    let found = if findings.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Failures
-    };
-    let whole = if missing.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Usage
-    };
-    Ok(found.worst(whole))
+    let found = Exit::Failures.when(!findings.is_empty());
+    Ok(found.worst(Exit::Usage.when(!missing.is_empty())))
 }
 
 fn first_line(text: &str) -> &str {

@@ -43,22 +43,11 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     // The list of missing parts follows the summary.
     out.flush()?;
     missing.iter().for_each(output::note);
-    let whole = if missing.is_empty() {
-        Exit::AsExpected
-    } else {
-        Exit::Usage
-    };
-    let broken_files = overview
-        .header
-        .iter()
-        .any(|header| !header.broken_files.is_empty());
-    let suite = if broken_files {
-        Exit::Usage
-    } else {
-        Exit::AsExpected
-    };
+    let mut headers = overview.header.iter();
+    let has_broken_files = headers.any(|header| !header.broken_files.is_empty());
     let fails = overview.outdated().next().is_some() || overview.lacking() > 0;
-    Ok(exit::of_totals(&overview.sum(), fails).worst(whole).worst(suite))
+    let partial = Exit::Usage.when(!missing.is_empty() || has_broken_files);
+    Ok(exit::of_totals(&overview.sum(), fails).worst(partial))
 }
 
 /// Opens the event log of one part; returns it with its name.

@@ -1,6 +1,5 @@
 //! The list of conversion functions that is shown for an unknown name.
 
-use crate::output;
 use std::io::Write;
 use stickler_conversions::all_functions;
 use stickler_types::wrap;
@@ -14,7 +13,7 @@ pub fn list_unless_known(function: &str) {
     }
     // A closed stderr is no reason to fail.
     let _ = writeln!(
-        output::stderr(),
+        anstream::stderr(),
         "Conversion functions, `…` standing for each of the types behind it:\n{}\n",
         list(&names)
     );

@@ -165,10 +165,7 @@ impl<'p> SweepPage<'p> {
 
     /// Returns the exit code of the sweeps so far.
     pub const fn exit(&self) -> Exit {
-        match self.mismatches {
-            0 => Exit::AsExpected,
-            _ => Exit::Failures,
-        }
+        Exit::Failures.when(self.mismatches > 0)
     }
 }
 

@@ -82,20 +82,15 @@ impl StatementsBuilder {
 
     /// Adds the answer that a case expects to a question; and with the first call of a function the boundary values of its types.
     pub fn add(&mut self, question: &Question, statement: &CaseStatement<'_>) {
-        match question {
-            Question::Implicit((from, to)) => {
-                let pair = (self.words.number(from.name()), self.words.number(to.name()));
-                let basis = self.words.number(statement.basis);
-                self.pairs.add(pair, statement, &self.dialects, basis);
-            }
-            Question::Part(ty, part) => {
-                let pair = (self.words.number(ty.name()), self.words.number(part));
-                let basis = self.words.number(statement.basis);
-                self.parts.add(pair, statement, &self.dialects, basis);
-            }
-            Question::Comparison(_) => {}
-            Question::Call(call) => self.add_call(call, statement),
-        }
+        let (table, from, to) = match question {
+            Question::Implicit((from, to)) => (&mut self.pairs, from, to.name()),
+            Question::Part(ty, part) => (&mut self.parts, ty, part.as_str()),
+            Question::Comparison(_) => return,
+            Question::Call(call) => return self.add_call(call, statement),
+        };
+        let pair = (self.words.number(from.name()), self.words.number(to));
+        let basis = self.words.number(statement.basis);
+        table.add(pair, statement, &self.dialects, basis);
     }
 
     fn add_call(&mut self, call: &ConversionCall, statement: &CaseStatement<'_>) {
@@ -145,23 +140,18 @@ impl StatementsBuilder {
         let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
         let first_part = all.pairs.len();
         let first_call = first_part + all.parts.len();
-        for (question, pair) in all.pairs.iter().enumerate() {
-            let ty = |word: u32| ElementaryType::from_name(self.words.all().get(word as usize)?);
-            if let (Some(from), Some(to)) = (ty(pair.from), ty(pair.to)) {
-                for column in &mut recorded {
-                    let word = pair.stated[column.dialect()].map(|(word, _)| word);
-                    column.add_pair(number(question), (from, to), word);
-                }
-            }
-        }
-        for (question, part) in (first_part..).zip(&all.parts) {
-            let word = |word: u32| self.words.all().get(word as usize);
-            let ty = word(part.from).and_then(|name| ElementaryType::from_name(name));
-            if let (Some(ty), Some(named)) = (ty, word(part.to)) {
-                for column in &mut recorded {
-                    let word = part.stated[column.dialect()].map(|(word, _)| word);
-                    column.add_part(number(question), ty, named, word);
-                }
+        let word = |word: u32| self.words.all().get(word as usize);
+        let ty = |number: u32| ElementaryType::from_name(word(number)?);
+        for (question, asked) in all.pairs.iter().chain(&all.parts).enumerate() {
+            for column in &mut recorded {
+                let stated = asked.stated[column.dialect()].map(|(word, _)| word);
+                column.add(number(question), stated, |recording, dialect| {
+                    let from = ty(asked.from)?;
+                    match question < first_part {
+                        true => recording.implicit(dialect, (from, ty(asked.to)?)),
+                        false => recording.part(dialect, from, word(asked.to)?),
+                    }
+                });
             }
         }
         let mut first_calls = Vec::with_capacity(self.functions.len());
@@ -215,14 +205,17 @@ impl StatementsBuilder {
             }
         }
         let pairs = self.pairs.cases.into_iter();
-        all.questions = pairs.map(|(case, pair)| (case, number(pair))).collect();
-        let parts = self.parts.cases.into_iter();
-        all.questions
-            .extend(parts.map(|(case, part)| (case, number(first_part + part))));
+        let parts = self
+            .parts
+            .cases
+            .into_iter()
+            .map(|(case, part)| (case, first_part + part));
         let calls = self.call_cases.into_iter();
-        all.questions.extend(
-            calls.map(|(case, function, call)| (case, number(first_call + first_calls[function] + call))),
-        );
+        let calls = calls.map(|(case, function, call)| (case, first_call + first_calls[function] + call));
+        let questions = pairs.chain(parts).chain(calls);
+        all.questions = questions
+            .map(|(case, question)| (case, number(question)))
+            .collect();
         all.words = self.words.all().to_vec();
         all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
         all

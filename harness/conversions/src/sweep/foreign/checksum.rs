@@ -60,12 +60,8 @@ impl Checksum {
 
     /// Returns the parts of a real number's raw form: the code of sign and exponent, and the 53 bits of the mantissa.
     fn real(self, raw: u64) -> (u64, u64) {
-        let number = match self.result {
-            // A REAL's raw form has 32 bits.
-            ElementaryType::Real => f64::from(f32::from_bits(raw as u32)),
-            _ => f64::from_bits(raw),
-        };
-        let (negative, bits) = (number.to_bits() >> 63, number.to_bits() << 1 >> 1);
+        let double = self.result.real_value(raw).map_or(raw, f64::to_bits);
+        let (negative, bits) = (double >> 63, double << 1 >> 1);
         let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
         match exponent {
             _ if bits == 0 => (0, 0),

@@ -1,8 +1,7 @@
 //! The findings of a sweep through programs.
 
 use crate::session::Refusal;
-use crate::sweep::findings::SweepProgress;
-use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
+use crate::sweep::findings::{Difference, MAX_DIFFERENCES, SweepProgress};
 use stickler_types::Value;
 
 /// The maximum number of reasons that are kept apart, since a message may hold a number that is always another.
@@ -103,19 +102,17 @@ impl ForeignFindings {
 
     /// Adds inputs that the engine did not answer.
     pub(super) fn refuse(&mut self, refusal: Refusal, inputs: u64, example: Vec<Value>) {
-        let known = |reason: &&mut Unanswered| reason.refusal == refusal;
         let full = self.unanswered.len() >= MAX_REASONS;
-        let same = |reason: &&mut Unanswered| full && reason.refusal.kind == refusal.kind;
-        if let Some(reason) = self.unanswered.iter_mut().find(known) {
-            reason.inputs += inputs;
-        } else if let Some(reason) = self.unanswered.iter_mut().find(same) {
-            reason.inputs += inputs;
-        } else {
-            self.unanswered.push(Unanswered {
+        let position =
+            |is: &dyn Fn(&Refusal) -> bool| self.unanswered.iter().position(|one| is(&one.refusal));
+        let known = position(&|known| *known == refusal);
+        match known.or_else(|| position(&|known| full && known.kind == refusal.kind)) {
+            Some(at) => self.unanswered[at].inputs += inputs,
+            None => self.unanswered.push(Unanswered {
                 refusal,
                 inputs,
                 example,
-            });
+            }),
         }
     }
 

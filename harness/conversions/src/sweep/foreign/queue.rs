@@ -48,13 +48,11 @@ impl Queue {
         let (index, start) = *reached;
         let stretch = self.stretches.get(index)?;
         let end = stretch.end.min(start + self.size.load(Ordering::Relaxed));
+        let next = self.stretches.get(index + 1).map_or(0, |next| next.start);
         *reached = if end < stretch.end {
             (index, end)
         } else {
-            (
-                index + 1,
-                self.stretches.get(index + 1).map_or(0, |next| next.start),
-            )
+            (index + 1, next)
         };
         Some(start..end)
     }

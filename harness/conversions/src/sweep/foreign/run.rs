@@ -84,24 +84,16 @@ pub fn run(
         progress,
         cancel,
     };
-    let tasks = std::iter::from_fn(|| {
-        let is_cancelled = cancel.is_requested();
-        if is_cancelled {
-            None
-        } else {
-            foreign_sweep.queue.claim()
-        }
-    });
+    let claim = || foreign_sweep.queue.claim().filter(|_| !cancel.is_requested());
+    let tasks = std::iter::from_fn(claim);
     WorkerPool::new(jobs).for_each(
         tasks,
         || FunctionSession::open(engine).map_err(ForeignError::Engine),
         |session, places| foreign_sweep.examine(session, places),
         |()| (),
     )?;
-    Ok(foreign_sweep
-        .findings
-        .into_inner()
-        .unwrap_or_else(PoisonError::into_inner))
+    let findings = foreign_sweep.findings.into_inner();
+    Ok(findings.unwrap_or_else(PoisonError::into_inner))
 }
 
 /// Runs a few small programs until the engine answers one of them; the error is the refusal of the first one.

@@ -8,8 +8,7 @@ use crate::literals::{has_literal, literal};
 use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use crate::sweep::agenda::Sweep;
-use crate::sweep::findings::SweepProgress;
-use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
+use crate::sweep::findings::{Difference, MAX_DIFFERENCES, SweepProgress};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -111,6 +110,10 @@ impl ForeignSweep<'_> {
         if inputs <= MAX_UNROLLED {
             return self.unroll(session, counting, places);
         }
+        self.halve(session, counting, places);
+    }
+
+    fn halve(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
         let middle = u64::midpoint(places.start, places.end);
         self.count(session, counting, places.start..middle);
         self.count(session, counting, middle..places.end);
@@ -169,9 +172,7 @@ impl ForeignSweep<'_> {
         if !goes_on {
             return self.refuse(&[places.start], inputs, refusal);
         }
-        let middle = u64::midpoint(places.start, places.end);
-        self.count(session, counting, places.start..middle);
-        self.count(session, counting, middle..places.end);
+        self.halve(session, counting, places);
     }
 
     /// Compares the given places by a program that lists their operands.
@@ -228,18 +229,14 @@ impl ForeignSweep<'_> {
         }
         let differing = !differences.is_empty();
         self.note(inputs, |findings| {
-            differences
-                .into_iter()
-                .for_each(|difference| findings.differ(difference));
+            differences.into_iter().for_each(|one| findings.differ(one))
         });
         differing
     }
 
     fn refuse(&self, places: &[u64], inputs: u64, refusal: Refusal) {
-        let example = places
-            .first()
-            .map(|place| self.sweep.domain.operands(*place))
-            .unwrap_or_default();
+        let example = places.first().map(|place| self.sweep.domain.operands(*place));
+        let example = example.unwrap_or_default();
         self.note(inputs, |findings| findings.refuse(refusal, inputs, example));
     }
 }

@@ -7,6 +7,7 @@ use crate::adapters::command::CommandTemplate;
 use crate::adapters::locate::speaks_not;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::recipe::Recipe;
+use crate::adapters::settings::{with_settings, written};
 use crate::adapters::source::{main_program, observed_scans};
 use crate::engine::no_rendering;
 use crate::{Ability, NoReproduction, Reproduction, ReproductionTool, RunRequest, shell_quote};
@@ -26,6 +27,8 @@ impl Description {
     ) -> Result<Reproduction, NoReproduction> {
         let dialect = self.word(request.dialect);
         let dialect = dialect.ok_or_else(|| speaks_not(request.dialect))?;
+        let text = with_settings(request);
+        let request = &written(request, text.as_ref());
         match (ability, &self.run, main_program(request)) {
             (Ability::Render, ..) => {
                 let render = self.render.as_ref().ok_or_else(no_rendering)?;

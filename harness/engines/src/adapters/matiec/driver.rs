@@ -3,14 +3,14 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
+use crate::RunRequest;
 use crate::adapters::Compiler;
 use crate::adapters::builder::Language;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words_of};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
-use crate::{RunRequest, Setting};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::ElementaryType;
 
 /// The headers that every driver includes.
 pub(super) const HEADER: &str = "#include \"iec_std_lib.h\"\n#include <stdio.h>\n";
@@ -125,7 +125,7 @@ fn driven<'r>(
     let observed = request.observe.iter().zip(&kinds);
     Ok(DrivenProgram {
         request: *request,
-        before: before(instance, request)?,
+        before: before(request),
         after: observed
             .map(|(asked, kind)| {
                 let variable = place(instance, probes.variable(asked), request);
@@ -220,42 +220,16 @@ fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
 
-/// Returns the statements before scans, which advance the clock and set variables of the instance of a program, each with the
-/// number of its scan.
-///
-/// # Errors
-/// A fragment that says what cannot be set.
-fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u32, String)>, String> {
+/// Returns the statements before scans, which advance the clock, each with the number of its scan.
+fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
     let clock = request.clock.iter().map(|step| {
         let (seconds, rest) = split(step.nanoseconds);
-        Ok((
+        (
             step.before,
             format!("__CURRENT_TIME = (TIME){{{seconds}, {rest}}};"),
-        ))
+        )
     });
-    let set = request
-        .set
-        .iter()
-        .map(|setting| Ok((setting.before, written(instance, setting, request)?)));
-    clock.chain(set).collect()
-}
-
-/// Returns the statement that sets a variable.
-fn written(instance: &str, setting: &Setting, request: &RunRequest<'_>) -> Result<String, String> {
-    let cannot = || format!("its driver cannot write {}", setting.name);
-    let Value::Plain { ty, raw } = setting.value else {
-        return Err(cannot());
-    };
-    if setting.name.contains(['.', '[']) {
-        return Err(cannot());
-    }
-    let variable = place(instance, &setting.name, request);
-    Ok(if is_time(ty) {
-        let (seconds, rest) = split(raw.cast_signed());
-        format!("{variable} = (TIME){{{seconds}, {rest}}};")
-    } else {
-        format!("unsigned long long bits = {raw}ULL; memcpy(&{variable}, &bits, sizeof {variable});")
-    })
+    clock.collect()
 }
 
 /// Splits a duration into seconds and nanoseconds of the same sign.

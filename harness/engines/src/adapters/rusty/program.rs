@@ -72,8 +72,8 @@ impl<'r> PackedProgram<'r> {
         main: &MainProgram,
         (names, suffix): (HashSet<String>, String),
     ) -> Result<PackedProgram<'r>, String> {
-        if !(request.clock.is_empty() && request.set.is_empty()) {
-            return Err("its driver takes neither a clock nor values between scans".to_owned());
+        if !request.clock.is_empty() {
+            return Err("its timers take the clock of the machine, and no other".to_owned());
         }
         Ok(PackedProgram {
             place,

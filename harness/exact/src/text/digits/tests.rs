@@ -23,11 +23,7 @@ fn raw_forms(ty: ElementaryType) -> Vec<u64> {
 
 fn parts(raw: u64, ty: ElementaryType) -> (u64, i32) {
     match real::decode(raw, ty) {
-        Real::Finite {
-            significand,
-            exponent,
-            ..
-        } => (significand, exponent),
+        Real::Finite(number) => (number.significand, number.exponent),
         other => panic!("{raw:X} is {other:?}"),
     }
 }

@@ -60,18 +60,14 @@ fn read(
     let place = fault.place(site.unit, |place, _| eligible(place))?;
     let width = bits(original, &place.ty).unwrap_or_default();
     let bit = fault.choose(numbers(width))?;
-    fault.replace(number, ExpressionKind::Bit(place, bit));
-    Some(())
+    fault.replace(number, ExpressionKind::Bit(place, bit))
 }
 
 /// Plants a bit beyond the last one, written.
 pub(super) fn outside_written(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    written(
-        fault,
-        |place| bits(original, &place.ty).is_some(),
-        |width| vec![width, width + 1, 99],
-    )
+    let has_bits = |place: &Place| bits(original, &place.ty).is_some();
+    written(fault, has_bits, |width| vec![width, width + 1, 99])
 }
 
 /// Plants a bit of what has no bits, written.

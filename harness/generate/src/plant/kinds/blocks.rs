@@ -6,14 +6,14 @@ use super::super::walk::ExpressionContext;
 use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, ExpressionKind, FunctionBlock, InitialValue, Program, Statement, Type, Unit,
-    VariableId, VariableSection,
+    Argument, BinaryOperator, ExpressionKind, InitialValue, Pou, Program, Statement, Type, Unit, VariableId,
+    VariableSection,
 };
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
 
 /// Returns the function block of an instance.
-fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&FunctionBlock> {
+fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&Pou> {
     match unit.variables(program).get(instance.0)?.ty {
         Type::Block(block) => program.blocks.get(block),
         _ => None,
@@ -21,7 +21,7 @@ fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&Func
 }
 
 /// Returns the variables of a function block that a call neither gives nor takes.
-fn inner(block: &FunctionBlock) -> Vec<VariableId> {
+fn inner(block: &Pou) -> Vec<VariableId> {
     let variables = block.variables.iter().enumerate();
     variables
         .filter(|(_, variable)| {
@@ -147,7 +147,7 @@ pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_>) -> Option<()> 
 }
 
 /// Returns literals for the inputs of a function block; `None` if an input is not elementary, or an in-out needs a variable.
-fn literals(block: &FunctionBlock) -> Option<Vec<String>> {
+fn literals(block: &Pou) -> Option<Vec<String>> {
     let needed = block
         .variables
         .iter()
@@ -208,8 +208,7 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             ExpressionKind::Raw(PLANTED.to_owned())
         }
     };
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Plants a constant as argument of a VAR_IN_OUT.

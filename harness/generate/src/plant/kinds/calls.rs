@@ -6,8 +6,8 @@ use super::super::walk::ExpressionSite;
 use super::misfits::converts;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    Argument, AssignmentTarget, Expression, ExpressionKind, Function, Program, StandardFunction, Statement,
-    Type, Unit, Variable, VariableId, VariableSection,
+    Argument, AssignmentTarget, Expression, ExpressionKind, Pou, Program, StandardFunction, Statement, Type,
+    Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -105,12 +105,11 @@ pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     fault.replace(
         number,
         ExpressionKind::Raw(format!("{from}_TO_{into}({arguments})")),
-    );
-    Some(())
+    )
 }
 
 /// Returns the inputs of a function with their elementary types.
-fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
+fn inputs(function: &Pou) -> Vec<(&Variable, ElementaryType)> {
     let inputs = function.inputs();
     inputs
         .filter_map(|(_, variable)| match variable.ty {
@@ -121,7 +120,7 @@ fn inputs(function: &Function) -> Vec<(&Variable, ElementaryType)> {
 }
 
 /// Returns the functions whose inputs are all elementary, and whose arguments can be written as literals.
-fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
+fn callable(program: &Program, unit: Unit) -> Vec<&Pou> {
     // A function calls only those before it; a call of itself or of a later one could be recursive.
     let before = match unit {
         Unit::Function(number) => number,
@@ -141,7 +140,7 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Function> {
 }
 
 /// Returns the arguments of a call by name, each a literal.
-fn named(function: &Function) -> Vec<String> {
+fn named(function: &Pou) -> Vec<String> {
     inputs(function)
         .into_iter()
         .map(|(variable, ty)| format!("{} := {}", variable.name, literal_text(ty)))
@@ -151,8 +150,8 @@ fn named(function: &Function) -> Vec<String> {
 /// Replaces a value of the result type of a function by a call of it, as text.
 fn call(
     fault: &mut FaultSite<'_, '_>,
-    eligible: fn(&Function) -> bool,
-    arguments: impl FnOnce(&Function) -> String,
+    eligible: fn(&Pou) -> bool,
+    arguments: impl FnOnce(&Pou) -> String,
 ) -> Option<()> {
     let original = fault.original;
     let fitting = |site: ExpressionSite, expression: &Expression| {
@@ -160,7 +159,7 @@ fn call(
         let own = !matches!(expression.kind, ExpressionKind::Widen(_));
         let functions = callable(original, site.unit).into_iter();
         functions
-            .filter(|function| own && function.result == expression.ty && eligible(function))
+            .filter(|function| own && function.result.as_ref() == Some(&expression.ty) && eligible(function))
             .collect::<Vec<_>>()
     };
     let (number, site, expression) = fault.pick_expression(|site, expression| {
@@ -168,8 +167,7 @@ fn call(
     })?;
     let function = fault.choose(fitting(site, &expression))?;
     let text = format!("{}({})", function.name, arguments(function));
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Plants an argument by a name that the function does not have.
@@ -226,7 +224,10 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let numbers = (0..original.functions.len()).filter(|&number| {
         let function = &original.functions[number];
-        elementary(original, &function.result).is_some()
+        function
+            .result
+            .as_ref()
+            .is_some_and(|ty| elementary(original, ty).is_some())
             && callable(original, Unit::Main)
                 .iter()
                 .any(|other| other.name == function.name)
@@ -243,7 +244,7 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             _ => None,
         });
     let value = Expression {
-        ty: function.result.clone(),
+        ty: function.result.clone()?,
         kind: ExpressionKind::Call(number, arguments.collect()),
     };
     let at = fault.input.int_in_range(0..=function.body.len()).unwrap_or(0);

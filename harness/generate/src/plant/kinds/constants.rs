@@ -16,14 +16,12 @@ pub(super) fn declare(
     ty: Type,
     initial: InitialValue,
 ) -> Option<VariableId> {
-    let variables = unit.variables_mut(&mut fault.program)?;
-    variables.push(Variable {
+    Some(unit.pou_mut(&mut fault.program)?.declare(Variable {
         name: PLANTED.to_owned(),
         ty,
         section: VariableSection::Constant,
         initial: Some(initial),
-    });
-    Some(VariableId(variables.len() - 1))
+    }))
 }
 
 /// Plants an assignment to a constant.

@@ -35,6 +35,9 @@ pub(super) fn constant_instance(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: ironplc-problem-codes: P4054.
 pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
+    if fault.original.dialect.rules().blocks_in_functions {
+        return None;
+    }
     let number = fault.choose((0..fault.original.functions.len()).collect())?;
     let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);

@@ -84,8 +84,7 @@ fn literal(fault: &mut FaultSite<'_, '_>, TypedTexts { ty, texts }: &TypedTexts)
         site.context != ExpressionContext::InOut && elementary(original, &expression.ty) == Some(*ty)
     })?;
     let text = fault.choose(texts.clone())?;
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Puts one of the texts in one of these contexts, for a value of an integer type.
@@ -120,8 +119,7 @@ fn written(fault: &mut FaultSite<'_, '_>, number: usize, ty: ElementaryType, tex
     ] {
         text = text.replace(name, &value.to_string());
     }
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Replaces an expression, in a place that takes any value, by a variable of a type followed by one of the texts.
@@ -129,8 +127,7 @@ fn part(fault: &mut FaultSite<'_, '_>, TypedTexts { ty, texts }: &TypedTexts) ->
     let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
     let name = fault.variable_text(site.unit, *ty)?;
     let text = fault.choose(texts.clone())?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}{text}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}{text}")))
 }
 
 fn statement(fault: &mut FaultSite<'_, '_>, unit: Unit, texts: &[String]) -> Option<String> {

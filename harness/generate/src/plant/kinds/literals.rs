@@ -21,8 +21,7 @@ pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (low, high) = range(site, &expression)?;
     let beyond = vec![high + 1, low - 1, high * 3, i128::from(u64::MAX) * 1000];
     let value = fault.choose(beyond)?;
-    fault.replace(number, ExpressionKind::Raw(value.to_string()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(value.to_string()))
 }
 
 /// Returns the least and the greatest value of an integer type; `None` for a bit string or BOOL.
@@ -48,8 +47,7 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         taken && bits(expression).is_some()
     })?;
     let digits = usize::try_from(bits(&expression)?.bits() / 4).ok()?;
-    fault.replace(number, ExpressionKind::Raw(format!("16#1{}", "0".repeat(digits))));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("16#1{}", "0".repeat(digits))))
 }
 
 /// Plants a typed literal that its type does not hold.
@@ -63,8 +61,7 @@ pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         beyond.push(low - 1);
     }
     let value = fault.choose(beyond)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{ty}#{value}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{ty}#{value}")))
 }
 
 /// Picks a place for a value of an integer type without an implicit conversion.
@@ -95,8 +92,7 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     };
     let texts = vec![beyond.to_owned(), format!("-{beyond}"), format!("{ty}#{beyond}")];
     let text = fault.choose(texts)?;
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Plants a constant subscript outside the array.
@@ -109,6 +105,5 @@ pub(super) fn subscript(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         return None;
     };
     let value = fault.choose(vec![high.checked_add(1)?, low.checked_sub(1)?])?;
-    fault.replace(number, ExpressionKind::Raw(value.to_string()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(value.to_string()))
 }

@@ -138,8 +138,10 @@ pub(super) fn selector(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let in_place = |context| context == ExpressionContext::Selector;
     // A type that converts to an integer elsewhere is the error that is easiest to overlook.
     let tempting = fault.input.ratio(1, 2).unwrap_or(true);
-    let wrong =
-        |ty: ElementaryType, _| !ty.is_integer() && (!tempting || ty.is_bit_string() || ty.is_duration());
+    let wrong = |ty: ElementaryType, dialect: DialectName| {
+        let selects = ty.is_integer() || ty.is_bit_string() && dialect.rules().bit_strings_as_integers;
+        !selects && (!tempting || ty.is_bit_string() || ty.is_duration())
+    };
     no_integer(fault, in_place, wrong)
 }
 
@@ -154,8 +156,7 @@ fn no_integer(
     let from = fault.choose(types(dialect).filter(|&ty| wrong(ty, dialect)).collect())?;
     let shape = fault.choose(vec![MisfitForm::Variable, MisfitForm::Operation])?;
     let kind = value(fault, site.unit, from, shape)?;
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Returns whether a type converts implicitly to no integer type. If it converts, as bit strings and durations do in some
@@ -175,8 +176,7 @@ pub(super) fn standard(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let wrong = types(dialect).filter(|&ty| takes(site.context, ty, dialect) == Some(false));
     let from = fault.choose(wrong.collect())?;
     let kind = fault.variable(site.unit, from)?;
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Plants an argument that its parameter does not take in a call of a standard function that is the whole value assigned or

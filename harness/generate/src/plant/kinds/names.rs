@@ -5,8 +5,7 @@ use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Function, FunctionBlock, Program, Type, TypeDeclaration, Unit,
-    VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Pou, Program, Type, TypeDeclaration, Unit, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -21,8 +20,7 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         (in_out || stands_for_any_value(site, expression))
             && original.enumerated_values(&expression.ty).is_none()
     })?;
-    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()))
 }
 
 /// Plants a field that the structure does not have, or a variable that is no output of the function block.
@@ -45,8 +43,7 @@ pub(super) fn field(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         .map(|variable| &variable.name)
         .collect();
     let name = fault.choose(names)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")))
 }
 
 fn has_fields(program: &Program, ty: &Type) -> bool {
@@ -61,8 +58,7 @@ pub(super) fn function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let names = ["PLANTED", "INT_TO_DNIT", "TO_DIMT", "BDC_TO_INT", "ITN_TO_REAL"];
     let name = fault.choose(names.to_vec())?;
     let arguments = fault.choose(vec!["INT#1", "BOOL#TRUE", "INT#1, DINT#2", "(INT#3 + INT#4)"])?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")))
 }
 
 /// Plants a call of a variable that is no instance of a function block.
@@ -89,8 +85,7 @@ pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         return None;
     };
     let name = &original.types.get(declared)?.name;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")))
 }
 
 fn is_enumerated(program: &Program, expression: &Expression) -> bool {
@@ -126,8 +121,7 @@ pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         return None;
     };
     let value = fault.choose(values.iter().collect())?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")))
 }
 
 /// Plants a variable that is declared twice.
@@ -153,15 +147,18 @@ fn other_case(name: &str) -> Option<String> {
 /// Basis: language/diagnostics-names.st.
 pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let function = fault.choose(fault.original.functions.iter().collect())?;
-    function_again(fault, function, &function.name)
+    again(fault, function, &function.name)
 }
 
-/// Declares a function once more, under a name in another case of its letters.
-fn function_again(fault: &mut FaultSite<'_, '_>, function: &Function, name: &str) -> Option<()> {
+/// Declares a function or function block once more, under a name in another case of its letters.
+fn again(fault: &mut FaultSite<'_, '_>, pou: &Pou, name: &str) -> Option<()> {
     let name = other_case(name)?;
-    fault.mark = Some(format!(" {name} : "));
-    let function = function.clone();
-    fault.program.functions.push(Function { name, ..function });
+    let (declared, end) = match pou.result {
+        Some(_) => (&mut fault.program.functions, " : "),
+        None => (&mut fault.program.blocks, ""),
+    };
+    fault.mark = Some(format!(" {name}{end}"));
+    declared.push(Pou { name, ..pou.clone() });
     Some(())
 }
 
@@ -170,15 +167,7 @@ fn function_again(fault: &mut FaultSite<'_, '_>, function: &Function, name: &str
 /// Basis: ironplc-problem-codes: P4013.
 pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let block = fault.choose(fault.original.blocks.iter().collect())?;
-    block_again(fault, block, &block.name)
-}
-
-fn block_again(fault: &mut FaultSite<'_, '_>, block: &FunctionBlock, name: &str) -> Option<()> {
-    let name = other_case(name)?;
-    fault.mark = Some(format!(" {name}"));
-    let block = block.clone();
-    fault.program.blocks.push(FunctionBlock { name, ..block });
-    Some(())
+    again(fault, block, &block.name)
 }
 
 /// Plants a function with the name of a type.
@@ -188,7 +177,7 @@ pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()>
     let original = fault.original;
     let function = original.functions.last()?;
     let declaration = fault.choose(original.types.iter().collect())?;
-    function_again(fault, function, &declaration.name)
+    again(fault, function, &declaration.name)
 }
 
 /// Plants a type that is declared twice.
@@ -259,6 +248,5 @@ pub(super) fn initial(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             && site.unit != Unit::Types
             && elementary(original, &expression.ty).is_some()
     })?;
-    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    Some(())
+    fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()))
 }

@@ -27,8 +27,7 @@ pub(super) fn operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         let from = fault.choose(types(dialect).filter(|&from| strange(from)).collect())?;
         value(fault, site.unit, from, shape)?
     };
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Returns whether the standard calculates with two different types: durations with numbers, dates and times of day with
@@ -36,7 +35,7 @@ pub(super) fn operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: iec-61131-3: Table 35.
 pub(super) fn calculates(operator: BinaryOperator, one: ElementaryType, other: ElementaryType) -> bool {
-    let of_moments = |ty: ElementaryType| ty.is_duration() || ty.is_date_or_time();
+    let of_moments = ElementaryType::is_moment;
     let number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
     let both = |this: &dyn Fn(ElementaryType) -> bool, that: &dyn Fn(ElementaryType) -> bool| {
         this(one) && that(other) || this(other) && that(one)
@@ -58,8 +57,7 @@ pub(super) fn only_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     };
     let from = fault.choose(types(dialect).filter(|&ty| undefined(operator, ty)).collect())?;
     let kind = fault.variable(site.unit, from)?;
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }
 
 /// Returns whether an operator is not defined for a type. That unsigned integers have no negatives is stated nowhere.
@@ -102,8 +100,7 @@ pub(super) fn undefined_operation(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let ty = fault.choose(types(dialect).filter(without).collect())?;
     let kind = fault.variable(site.unit, ty)?;
     let operand = || Box::new(Expression::elementary(ty, kind.clone()));
-    fault.replace(number, ExpressionKind::Binary(operator, operand(), operand()));
-    Some(())
+    fault.replace(number, ExpressionKind::Binary(operator, operand(), operand()))
 }
 
 /// Returns whether a place takes any expression, so that the planted error is the only one: the context demands neither a
@@ -128,6 +125,5 @@ pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     })?;
     let operand = || Box::new(Expression::read(place.clone()));
     let kind = ExpressionKind::Binary(BinaryOperator::Equal, operand(), operand());
-    fault.replace(number, kind);
-    Some(())
+    fault.replace(number, kind)
 }

@@ -16,12 +16,13 @@ fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {
     }
 }
 
-const ROUNDINGS: [Rounding; 5] = [
+const ROUNDINGS: [Rounding; 6] = [
     Rounding::Truncate,
     Rounding::HalfToEven,
     Rounding::HalfAwayFromZero,
     Rounding::Up,
     Rounding::Down,
+    Rounding::AwayFromZero,
 ];
 
 fn integers() -> Vec<ElementaryType> {
@@ -55,6 +56,7 @@ fn each_rounding_keeps_its_promise() {
             Rounding::HalfAwayFromZero => rest.abs() < 0.5 || (rest.abs() == 0.5 && rest * exact < 0.0),
             Rounding::Up => whole == exact.ceil() as i128,
             Rounding::Down => whole == exact.floor() as i128,
+            Rounding::AwayFromZero => whole.unsigned_abs() == exact.abs().ceil() as u128,
         };
         assert!(kept, "{rounding:?}: {exact:?} of {from} to {to} is {whole}");
         Ok(())

@@ -26,7 +26,9 @@ fn written_and_read(
 #[test]
 fn what_is_written_is_read_back() {
     for dialect in dialects() {
-        let shortest = dialect.conversions.real_text == RealText::Shortest;
+        // One reading knows no exponents.
+        let shortest = dialect.conversions.real_text == RealText::Shortest
+            && dialect.conversions.text_reading != TextReading::LeadingFixedPoint;
         // Other forms drop what is finer than the unit of the type.
         let literal = dialect.conversions.moment_text == MomentText::Literal;
         let is_moment = |ty: ElementaryType| ty.is_duration() || ty.is_date_or_time();

@@ -1,0 +1,224 @@
+//! `stickler judge`: executes a program, function block or function on traces, and compares what comes out.
+
+mod caller;
+mod result;
+mod trace;
+mod variables;
+
+use crate::arguments::JudgeArguments;
+use crate::engines::{self, REFERENCE};
+use crate::exit::Exit;
+use crate::{interrupt, output, snippet, source_file};
+use anyhow::{Context, bail, ensure};
+use caller::Judged;
+use result::TraceResult;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::slice;
+use std::sync::Arc;
+use stickler_engines::Session;
+use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, counted};
+use trace::{Request, Trace};
+use variables::{MAX_VARIABLES, Variables};
+use walkdir::WalkDir;
+
+/// Judges the traces of a file, or of all files of a folder.
+///
+/// # Errors
+/// A file that cannot be read, a trace that does not fit its program, an engine that cannot be run; in a folder, such a file is
+/// told, and the others are judged.
+pub fn execute(arguments: &JudgeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    interrupt::at_once()?;
+    let named = arguments.engine.clone().unwrap_or_else(|| REFERENCE.to_owned());
+    let engines = engines::by_names(slice::from_ref(&named))?;
+    let Some(engine) = engines.first() else {
+        bail!("no engine is named");
+    };
+    engines::spoken(engine.identity(), &[arguments.dialect])?;
+    let mut session = engine.engine.session()?;
+    let mut judge = Judge {
+        arguments,
+        session: &mut *session,
+        traces: 0,
+        failed: 0,
+    };
+    let exit = match (&arguments.batch, &arguments.file, &arguments.trace) {
+        (Some(folder), ..) => judge.folder(folder, out)?,
+        (None, Some(file), Some(trace)) => judge.file(file, trace, out)?,
+        _ => bail!("name a file and its --trace, or a folder with --batch"),
+    };
+    if !arguments.json {
+        let traces = counted(judge.traces, "trace", "traces");
+        match judge.failed {
+            0 => writeln!(out, "{traces}: all as expected")?,
+            failed => writeln!(
+                out,
+                "{traces}: {} as expected, {failed} not",
+                judge.traces - failed
+            )?,
+        }
+    }
+    Ok(exit)
+}
+
+struct Judge<'a, 's> {
+    arguments: &'a JudgeArguments,
+    session: &'a mut (dyn Session + 's),
+    traces: u64,
+    failed: u64,
+}
+
+impl Judge<'_, '_> {
+    fn folder(&mut self, folder: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
+        let mut exit = Exit::AsExpected;
+        let mut files = Vec::new();
+        for entry in WalkDir::new(folder).sort_by_file_name() {
+            let path = entry?.into_path();
+            if path
+                .extension()
+                .is_some_and(|ending| ending.eq_ignore_ascii_case("st"))
+            {
+                files.push(path);
+            }
+        }
+        ensure!(!files.is_empty(), "{}: no file NAME.st in it", folder.display());
+        for file in files {
+            let judged = match trace_of(&file) {
+                Some(trace) => self.file(&file, &trace, out),
+                None => Err(anyhow::anyhow!(
+                    "{}: neither a trace of its name nor trace.json or trace.csv is beside it",
+                    file.display()
+                )),
+            };
+            match judged {
+                Ok(of_file) => exit = exit.worst(of_file),
+                Err(error) => {
+                    out.flush()?;
+                    output::error(&error);
+                    exit = exit.worst(Exit::Usage);
+                }
+            }
+        }
+        Ok(exit)
+    }
+
+    /// Judges all traces of a file.
+    fn file(&mut self, file: &Path, traces: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
+        let (bytes, path) = source_file::read(file)?;
+        let traces = trace::read(traces)?;
+        let program = self.program(&bytes, &path, out)?;
+        let mut exit = Exit::AsExpected;
+        for (number, trace) in (1..).zip(&traces) {
+            let mut result = match &program {
+                Ok((judged, variables)) => self.trace(judged, variables, trace).unwrap_or_else(|error| {
+                    exit = exit.worst(Exit::Usage);
+                    TraceResult::without_values("misfit", format!("{error:#}"))
+                }),
+                Err(reason) => TraceResult::without_values("rejected", reason.clone()),
+            };
+            result.program.clone_from(&path);
+            result.trace = match trace.name.as_str() {
+                "" => format!("trace {number}"),
+                name => name.to_owned(),
+            };
+            self.traces += 1;
+            if !result.is_pass() {
+                self.failed += 1;
+                exit = exit.worst(Exit::Failures);
+            }
+            match self.arguments.json {
+                true => output::json_line(out, &result)?,
+                false => result.write(self.arguments.batch.is_some(), out)?,
+            }
+        }
+        Ok(exit)
+    }
+
+    /// Returns a text with the program to execute and its variables, or the first diagnostic where the reference rejects it.
+    fn program(
+        &self,
+        bytes: &[u8],
+        path: &str,
+        out: &mut dyn Write,
+    ) -> anyhow::Result<Result<(Judged, Variables), String>> {
+        let dialect = self.arguments.dialect;
+        let (text, diagnostics) = stickler_reference::check_bytes(bytes, dialect);
+        let unit = self.arguments.block.as_ref().or(self.arguments.function.as_ref());
+        let (text, diagnostics) = match diagnostics.iter().any(Diagnostic::is_error) {
+            true => (text, diagnostics),
+            false => {
+                let judged = Judged::of(&text, dialect.rules(), unit.map(String::as_str));
+                let judged = judged.with_context(|| path.to_owned())?;
+                match variables(&judged, dialect)? {
+                    Ok(variables) => return Ok(Ok((judged, variables))),
+                    Err(diagnostics) => (judged.text, diagnostics),
+                }
+            }
+        };
+        if !self.arguments.json {
+            snippet::write(&diagnostics, &text, |_| (path, 0), out)?;
+        }
+        let first = diagnostics.iter().find(|one| one.is_error());
+        let reason = first.map(|one| format!("line {}: {}", one.line.unwrap_or_default(), one.message));
+        Ok(Err(reason.unwrap_or_default()))
+    }
+
+    /// Executes the program on a trace and compares what comes out.
+    fn trace(
+        &mut self,
+        judged: &Judged,
+        variables: &Variables,
+        trace: &Trace,
+    ) -> anyhow::Result<TraceResult> {
+        let Request {
+            scans,
+            clock,
+            set,
+            expected,
+        } = trace.request(judged, variables, self.arguments.cycle)?;
+        let observe: Vec<Observation> = expected
+            .iter()
+            .map(|expected| Observation {
+                name: Arc::clone(&expected.path),
+                type_name: expected.value.type_name().into(),
+                after: Some(expected.scan),
+            })
+            .collect();
+        let outcome = self.session.run(&RunRequest {
+            dialect: self.arguments.dialect,
+            source: &judged.text,
+            scans,
+            observe: &observe,
+            clock: &clock,
+            set: &set,
+        });
+        Ok(TraceResult::of(
+            outcome,
+            &expected,
+            trace.tolerance.unwrap_or(self.arguments.tolerance),
+        ))
+    }
+}
+
+/// Returns the trace of a file: that of its name, or else that of its folder.
+fn trace_of(file: &Path) -> Option<PathBuf> {
+    let of_file = ["json", "csv"].map(|ending| file.with_extension(ending));
+    let of_folder = ["trace.json", "trace.csv"].map(|name| file.with_file_name(name));
+    of_file.into_iter().chain(of_folder).find(|path| path.is_file())
+}
+
+/// Returns the elementary variables of a program with their values at its start, or the diagnostics of the reference.
+fn variables(judged: &Judged, dialect: DialectName) -> anyhow::Result<Result<Variables, Vec<Diagnostic>>> {
+    let names = stickler_reference::variables(&judged.text, dialect, MAX_VARIABLES);
+    let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
+    let request = RunRequest {
+        scans: 0,
+        ..RunRequest::once(dialect, &judged.text, &observe)
+    };
+    match stickler_reference::run(&request, stickler_reference::Limits::default()) {
+        Ok(Outcome::Executed { values, .. }) => Ok(Ok(Variables::new(values, judged.prefixes.clone()))),
+        Ok(Outcome::Rejected { diagnostics }) => Ok(Err(diagnostics)),
+        Ok(other) => bail!("the reference answered {other} before the first scan"),
+        Err(error) => bail!(error),
+    }
+}

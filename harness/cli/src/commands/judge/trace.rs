@@ -1,0 +1,207 @@
+//! Traces: the inputs and the clock of a program by scan, and the values that must come out, read from JSON or CSV.
+
+use super::caller::Judged;
+use super::result::Expected;
+use super::variables::Variables;
+use anyhow::{Context, bail, ensure};
+use serde::Deserialize;
+use serde_json::{Map, Value as Json};
+use std::fs;
+use std::path::Path;
+use stickler_types::{ClockSetting, Setting, Value};
+
+/// The longest trace, in scans.
+const MAX_SCANS: usize = 1_000_000;
+
+/// The start of the header of a CSV column with expected values.
+const EXPECTED: &str = "expect ";
+
+/// A trace as it is written: variables with a value for each scan, or one for all.
+#[derive(Deserialize, Debug, Default)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct Trace {
+    /// The name to show, empty where the trace has none.
+    pub name: String,
+    /// The values that are set once, before the first scan.
+    pub start: Map<String, Json>,
+    /// The values that are set before each scan.
+    pub inputs: Map<String, Json>,
+    /// The times since the start, as literals; none where `--cycle` says how much passes.
+    pub clock: Vec<String>,
+    /// The values that must come out after each scan.
+    pub expected: Map<String, Json>,
+    /// The greatest difference of a real number from the expected one; `None` takes that of the command line.
+    pub tolerance: Option<f64>,
+}
+
+/// A trace in the terms of a program.
+pub(super) struct Request {
+    /// The number of scans.
+    pub scans: u32,
+    /// The times of the scans; none where no time passes.
+    pub clock: Vec<ClockSetting>,
+    /// The variables to set.
+    pub set: Vec<Setting>,
+    /// The values that must come out, in the order of the scans.
+    pub expected: Vec<Expected>,
+}
+
+impl Trace {
+    /// Returns the trace in the terms of a program; `cycle` nanoseconds pass from scan to scan where the trace has no clock.
+    ///
+    /// # Errors
+    /// A variable that the program does not have, a value that is none of its type, and what [`Trace::scans`] and
+    /// [`Trace::clock`] find.
+    pub(super) fn request(
+        &self,
+        judged: &Judged,
+        variables: &Variables,
+        cycle: Option<i64>,
+    ) -> anyhow::Result<Request> {
+        let scans = self.scans()?;
+        let mut request = Request {
+            scans,
+            clock: self.clock(scans, cycle)?,
+            set: Vec::new(),
+            expected: Vec::new(),
+        };
+        let setting = |before: u32| move |(name, value)| Setting { before, name, value };
+        for (name, given) in &self.start {
+            let found = variables.spread(judged.path(name), given)?;
+            request.set.extend(found.into_iter().map(setting(1)));
+        }
+        for scan in 1..=scans {
+            let of_scan = |(name, column): (&String, &Json)| {
+                let given = at(column, scan)?;
+                let found = variables.spread(judged.path(name), given);
+                Some(found.with_context(|| format!("scan {scan}")))
+            };
+            for found in self.inputs.iter().filter_map(of_scan) {
+                request.set.extend(found?.into_iter().map(setting(scan)));
+            }
+            for found in self.expected.iter().filter_map(of_scan) {
+                request
+                    .expected
+                    .extend(found?.into_iter().map(|(path, value)| Expected {
+                        scan,
+                        name: judged.shown(&path),
+                        path,
+                        value,
+                    }));
+            }
+        }
+        Ok(request)
+    }
+
+    /// Returns the number of scans: the length of the longest list, of which there must be one.
+    ///
+    /// # Errors
+    /// No list, or one beyond [`MAX_SCANS`].
+    fn scans(&self) -> anyhow::Result<u32> {
+        let columns = self.inputs.values().chain(self.expected.values());
+        let lengths = columns.filter_map(|column| Some(column.as_array()?.len()));
+        let longest = lengths.chain([self.clock.len()]).max().unwrap_or(0);
+        ensure!(longest > 0, "no variable has a list of values, one for each scan");
+        ensure!(
+            longest <= MAX_SCANS,
+            "{longest} scans are more than the {MAX_SCANS} that a trace may have"
+        );
+        Ok(u32::try_from(longest)?)
+    }
+
+    /// Returns the times of the trace, or those of scans that are `cycle` nanoseconds apart.
+    ///
+    /// # Errors
+    /// A text that is no time, or a time before the one of the scan before.
+    fn clock(&self, scans: u32, cycle: Option<i64>) -> anyhow::Result<Vec<ClockSetting>> {
+        if self.clock.is_empty() {
+            let Some(cycle) = cycle else {
+                return Ok(Vec::new());
+            };
+            let at = |before: u32| ClockSetting {
+                before,
+                nanoseconds: cycle.saturating_mul(i64::from(before) - 1),
+            };
+            return Ok((1..=scans).map(at).collect());
+        }
+        let mut settings: Vec<ClockSetting> = Vec::with_capacity(self.clock.len());
+        for (before, text) in (1..).zip(&self.clock) {
+            let time = Value::parse(text).ok();
+            let Some(setting) = time.and_then(|time| ClockSetting::at(before, &time)) else {
+                bail!("scan {before}: the clock `{text}` is no time such as T#10ms");
+            };
+            let goes_back = settings
+                .last()
+                .is_some_and(|last| last.nanoseconds > setting.nanoseconds);
+            ensure!(
+                !goes_back && setting.nanoseconds >= 0,
+                "scan {before}: the clock goes back to {text}; times count from the start of the program"
+            );
+            settings.push(setting);
+        }
+        Ok(settings)
+    }
+}
+
+/// Returns the value of a variable for a scan, from 1: that of the list, or the one for all scans; `None` where there is none.
+fn at(column: &Json, scan: u32) -> Option<&Json> {
+    let value = match column {
+        Json::Array(values) => values.get(scan as usize - 1)?,
+        constant => constant,
+    };
+    (!value.is_null()).then_some(value)
+}
+
+/// Reads the traces of a file: of `.csv` one, of any other name JSON with one trace or a list of them.
+///
+/// # Errors
+/// A file that cannot be read, or that holds no traces.
+pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Trace>> {
+    let shown = || path.display().to_string();
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let is_csv = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let traces = match is_csv {
+        true => vec![table(&text).with_context(shown)?],
+        false if text.trim_start().starts_with('[') => serde_json::from_str(&text).with_context(shown)?,
+        false => vec![serde_json::from_str(&text).with_context(shown)?],
+    };
+    ensure!(
+        !traces.is_empty(),
+        "{}: the list of traces is empty",
+        path.display()
+    );
+    Ok(traces)
+}
+
+/// Reads a table with a row a scan.
+fn table(text: &str) -> anyhow::Result<Trace> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let names: Vec<String> = reader.headers()?.iter().map(str::to_owned).collect();
+    let mut columns = vec![Vec::new(); names.len()];
+    for row in reader.records() {
+        for (column, cell) in columns.iter_mut().zip(&row?) {
+            column.push(match cell {
+                "" => Json::Null,
+                cell => Json::String(cell.to_owned()),
+            });
+        }
+    }
+    let mut trace = Trace::default();
+    for (name, column) in names.into_iter().zip(columns) {
+        if name.eq_ignore_ascii_case("clock") {
+            let cells = column.iter();
+            trace.clock = cells
+                .map(|cell| cell.as_str().unwrap_or_default().to_owned())
+                .collect();
+        } else if let Some(name) = name.strip_prefix(EXPECTED) {
+            trace.expected.insert(name.trim().to_owned(), Json::Array(column));
+        } else {
+            trace.inputs.insert(name, Json::Array(column));
+        }
+    }
+    Ok(trace)
+}

@@ -1,0 +1,194 @@
+//! The elementary variables of a program that is judged, and the values that a trace gives for them.
+
+use anyhow::{Context, bail, ensure};
+use serde_json::Value as Json;
+use std::sync::Arc;
+use stickler_types::Value;
+
+/// The maximum number of elementary variables of a program that is judged.
+pub(super) const MAX_VARIABLES: usize = 100_000;
+
+/// The number of variables that a message lists.
+const LISTED: usize = 12;
+
+/// The elementary variables of a program, with the values at its start, which tell their types.
+pub(super) struct Variables {
+    /// The path of each, as the program names it, and the value.
+    list: Vec<(Arc<str>, Value)>,
+    /// The paths before which a trace names variables, the first that fits first.
+    prefixes: Vec<String>,
+}
+
+impl Variables {
+    /// Takes the variables with their values. A trace may leave out one of the prefixes before the name of a variable.
+    pub(super) fn new(values: Vec<(String, Value)>, prefixes: Vec<String>) -> Variables {
+        let list = values.into_iter().map(|(name, value)| (name.into(), value));
+        Variables {
+            list: list.collect(),
+            prefixes,
+        }
+    }
+
+    /// Returns the elementary variables with the values that a trace gives for a variable.
+    ///
+    /// # Errors
+    /// A name that the program does not have; a value that is none of the variable's type, or has more parts.
+    pub(super) fn spread(&self, name: &str, given: &Json) -> anyhow::Result<Vec<(Arc<str>, Value)>> {
+        let paths = self.prefixes.iter().map(|prefix| format!("{prefix}{name}"));
+        let Some(path) = paths.into_iter().find(|path| self.has(path)) else {
+            let prefix = self.prefixes.first().map_or("", String::as_str);
+            let known = self
+                .list
+                .iter()
+                .map(|(known, _)| known.strip_prefix(prefix).unwrap_or(known));
+            let shown: Vec<&str> = known.take(LISTED).collect();
+            let more = if self.list.len() > LISTED { ", …" } else { "" };
+            bail!(
+                "there is no variable `{name}`; there are {}{more}",
+                shown.join(", ")
+            );
+        };
+        let mut found = Vec::new();
+        self.of_path(&path, given, &mut found)
+            .with_context(|| format!("`{name}`"))?;
+        Ok(found)
+    }
+
+    /// Returns whether a path names an elementary variable, or one with elements or fields.
+    fn has(&self, path: &str) -> bool {
+        self.list.iter().any(|(known, _)| {
+            let rest = start_of(known, path);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['[', '.']))
+        })
+    }
+
+    fn of_path(&self, path: &str, given: &Json, found: &mut Vec<(Arc<str>, Value)>) -> anyhow::Result<()> {
+        let elementary = self
+            .list
+            .iter()
+            .find(|(known, _)| known.eq_ignore_ascii_case(path));
+        match (elementary, given) {
+            (Some((known, like)), _) => {
+                let value = value(given, like).with_context(|| {
+                    let hint = match like {
+                        Value::Plain { ty, .. } if ty.is_duration() => "; write a duration as \"T#10ms\"",
+                        _ => "",
+                    };
+                    format!("{given} is no value of {}{hint}", like.type_name())
+                })?;
+                found.push((Arc::clone(known), value));
+                Ok(())
+            }
+            (None, Json::Object(fields)) => fields.iter().try_for_each(|(field, given)| {
+                let path = format!("{path}.{field}");
+                ensure!(self.has(&path), "there is no field `{field}`");
+                self.of_path(&path, given, found)
+            }),
+            (None, Json::Array(values)) => {
+                let elements = self.elements(path);
+                let is_table = elements
+                    .first()
+                    .is_some_and(|element| element[path.len()..].contains(','));
+                let mut rows = Vec::new();
+                if is_table {
+                    flatten(values, &mut rows);
+                } else {
+                    rows.extend(values);
+                }
+                ensure!(
+                    rows.len() <= elements.len(),
+                    "it has {} elements, and the trace {} values for them",
+                    elements.len(),
+                    rows.len()
+                );
+                let mut pairs = elements.iter().zip(rows).filter(|(_, given)| !given.is_null());
+                pairs.try_for_each(|(element, given)| self.of_path(element, given, found))
+            }
+            (None, _) => bail!("it is an array or a structure; write a list or an object"),
+        }
+    }
+
+    /// Returns the paths of the elements of an array, in order.
+    fn elements(&self, path: &str) -> Vec<&str> {
+        let mut elements: Vec<&str> = self
+            .list
+            .iter()
+            .filter_map(|(known, _)| {
+                let rest = start_of(known, path).filter(|rest| rest.starts_with('['))?;
+                Some(&known[..path.len() + rest.find(']')? + 1])
+            })
+            .collect();
+        elements.dedup();
+        elements
+    }
+}
+
+/// Returns the rest of a name behind its start, which may be written with other capitals.
+fn start_of<'n>(name: &'n str, start: &str) -> Option<&'n str> {
+    let head = name.get(..start.len())?;
+    head.eq_ignore_ascii_case(start).then(|| &name[start.len()..])
+}
+
+fn flatten<'j>(values: &'j [Json], into: &mut Vec<&'j Json>) {
+    for value in values {
+        match value {
+            Json::Array(row) => flatten(row, into),
+            other => into.push(other),
+        }
+    }
+}
+
+/// Returns the value of the type of `like` that is given in JSON: truth values and numbers, texts as they are, and every type by a
+/// literal with or without its type.
+fn value(given: &Json, like: &Value) -> Option<Value> {
+    let text = match given {
+        Json::Bool(truth) => truth.to_string(),
+        Json::Number(number) => number.to_string(),
+        Json::String(text) => text.clone(),
+        Json::Null | Json::Array(_) | Json::Object(_) => return None,
+    };
+    match like {
+        Value::Text { ty, .. } => {
+            let units: Vec<u16> = given.as_str()?.encode_utf16().collect();
+            Some(Value::text(*ty, units))
+        }
+        Value::Enumerated { type_name, .. } => {
+            let name = text.rsplit('#').next()?;
+            Some(Value::enumerated(type_name.as_str(), name))
+        }
+        Value::Plain { ty, .. } | Value::OutOfRange { ty, .. } | Value::Near { ty, .. } => {
+            let typed = Value::parse(&text)
+                .ok()
+                .filter(|value| value.type_name() == ty.name());
+            let real = || match ty.is_real() {
+                true if ty.bits() == 32 => {
+                    Some(Value::plain(*ty, text.parse::<f32>().ok()?.to_bits().into()))
+                }
+                true => Some(Value::plain(*ty, text.parse::<f64>().ok()?.to_bits())),
+                false => None,
+            };
+            let untyped = || Value::parse(&format!("{}#{text}", ty.name())).ok();
+            typed.or_else(real).or_else(untyped)
+        }
+    }
+}
+
+/// Returns whether a value is the expected one, or as a real number at most `tolerance` away from it.
+pub(super) fn agrees(found: &Value, expected: &Value, tolerance: f64) -> bool {
+    let near = |found: f64, expected: f64| found == expected || (found - expected).abs() <= tolerance;
+    match (number(found), number(expected)) {
+        (Some(found), Some(expected)) if !expected.is_nan() => near(found, expected),
+        _ => found.to_string().eq_ignore_ascii_case(&expected.to_string()),
+    }
+}
+
+/// Returns the number of a REAL or LREAL; `None` for other types.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Plain { ty, raw } if ty.is_real() && ty.bits() == 32 => {
+            Some(f32::from_bits(u32::try_from(*raw).ok()?).into())
+        }
+        Value::Plain { ty, raw } if ty.is_real() => Some(f64::from_bits(*raw)),
+        _ => None,
+    }
+}

@@ -1,0 +1,176 @@
+//! Writes what a request sets between scans into its program, for compilers whose variables are not written from outside.
+//!
+//! A variable counts the scans, and the body of the main program begins with the assignments of its scan. No line moves. In the same way values of
+//! many scans are copied at the end of the body, for compilers that show variables only once.
+
+use super::locate::unsupported;
+use super::source::{main_program, observed_scans};
+use crate::{Observation, Outcome, RunRequest};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use stickler_types::{ElementaryType, Value};
+
+/// The variable that counts the scans.
+const SCAN: &str = "stickler_scan";
+
+/// Returns the program of a request with what is set in it; `None` where nothing is, or there is no main program.
+pub(super) fn with_settings(request: &RunRequest<'_>) -> Option<String> {
+    if request.set.is_empty() {
+        return None;
+    }
+    let main = main_program(request)?;
+    let mut by_scan: BTreeMap<u32, String> = BTreeMap::new();
+    for setting in request.set {
+        // Writing into a String does not fail.
+        let statements = by_scan.entry(setting.before).or_default();
+        let _ = write!(statements, " {} := {};", setting.name, literal(&setting.value));
+    }
+    let cases = cases(&by_scan);
+    let source = request.source;
+    Some(format!(
+        "{} VAR {SCAN} : DINT; END_VAR{} {SCAN} := {SCAN} + 1; CASE {SCAN} OF{cases} END_CASE;{}",
+        &source[..main.inside.start],
+        &source[main.inside.start..main.body],
+        &source[main.body..],
+    ))
+}
+
+/// Returns the request with another program, which sets what the request does.
+pub(super) fn written<'t>(request: &RunRequest<'t>, text: Option<&'t String>) -> RunRequest<'t> {
+    match text {
+        Some(source) => RunRequest {
+            source,
+            set: &[],
+            ..*request
+        },
+        None => *request,
+    }
+}
+
+/// The number of scans after which values are observed, from which on it is quicker to copy them than to run the program for each.
+const MANY_SCANS: usize = 4;
+
+/// A program that copies the values of its scans into variables.
+pub(super) struct CopiedByScan {
+    /// The text of the program.
+    pub(super) text: String,
+    /// The copies, in the order of the values that the request observes.
+    pub(super) observe: Vec<Observation>,
+}
+
+/// Returns the program of a request with copies of the values that are observed after many scans; `None` where there are few, or a value is of no
+/// elementary type, or the program may return before its end.
+pub(super) fn copied_by_scan(request: &RunRequest<'_>) -> Option<CopiedByScan> {
+    let main =
+        main_program(request).filter(|main| !main.returns && observed_scans(request).len() > MANY_SCANS)?;
+    let (mut declared, mut by_scan) = (String::new(), BTreeMap::<u32, String>::new());
+    let mut observe = Vec::with_capacity(request.observe.len());
+    for (number, asked) in request.observe.iter().enumerate() {
+        ElementaryType::from_name(&asked.type_name)?;
+        let copy = format!("stickler_copy_{number}");
+        // Writing into a String does not fail.
+        let _ = write!(declared, " {copy} : {};", asked.type_name);
+        let statements = by_scan.entry(asked.after.unwrap_or(request.scans)).or_default();
+        let _ = write!(statements, " {copy} := {};", asked.name);
+        observe.push(Observation::last(&copy, &asked.type_name));
+    }
+    let cases = cases(&by_scan);
+    let source = request.source;
+    let text = format!(
+        "{} VAR stickler_scan_copied : DINT;{declared} END_VAR{} stickler_scan_copied := stickler_scan_copied + 1; CASE stickler_scan_copied OF{cases} END_CASE; {}",
+        &source[..main.inside.start],
+        &source[main.inside.clone()],
+        &source[main.inside.end..],
+    );
+    Some(CopiedByScan { text, observe })
+}
+
+/// Returns the branches of CASE of the statements of scans.
+fn cases(by_scan: &BTreeMap<u32, String>) -> String {
+    by_scan
+        .iter()
+        .map(|(scan, statements)| format!(" {scan}:{statements}"))
+        .collect()
+}
+
+/// Executes a program by `run` with what is set in it. Where the compiler does not accept that, the program is given to `check` alone, to
+/// tell whether it is accepted itself.
+///
+/// # Errors
+/// The error of `run` or of `check`; [`Outcome::Unsupported`] where only the program alone is accepted.
+pub(super) fn run_written<T>(
+    request: &RunRequest<'_>,
+    run: impl FnOnce(&RunRequest<'_>) -> Result<Outcome, Outcome>,
+    check: impl FnOnce(&RunRequest<'_>) -> Result<T, Outcome>,
+) -> Result<Outcome, Outcome> {
+    let text = with_settings(request);
+    match run(&written(request, text.as_ref())) {
+        Ok(rejected @ Outcome::Rejected { .. }) | Err(rejected @ Outcome::Rejected { .. })
+            if text.is_some() =>
+        {
+            check(request)?;
+            Err(unsupported(format!("with what is set between scans: {rejected}")))
+        }
+        outcome => outcome,
+    }
+}
+
+/// Returns a literal that every compiler takes: bit strings have their type, for not all of them take a number for one.
+fn literal(value: &Value) -> String {
+    match value {
+        Value::Plain { ty, .. } if ty.is_bit_string() => value.to_string(),
+        _ => value.literal(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::{DialectName, Setting};
+
+    #[test]
+    fn settings_move_no_line() {
+        let of = |source: &str| {
+            let set = [
+                (1, "a", "BOOL#TRUE"),
+                (3, "w", "WORD#16#00FF"),
+                (3, "s[1].x", "INT#-5"),
+            ];
+            let set = set.map(|(before, name, value)| Setting {
+                before,
+                name: name.into(),
+                value: Value::parse(value).unwrap(),
+            });
+            with_settings(&RunRequest {
+                set: &set,
+                ..RunRequest::once(DialectName::MATIEC, source, &[])
+            })
+        };
+        let assigned = " stickler_scan := stickler_scan + 1; CASE stickler_scan OF 1: a := TRUE; 3: w := WORD#16#00FF; s[1].x := -5; END_CASE;";
+        assert_eq!(
+            of("PROGRAM p\nVAR a : BOOL; END_VAR\nVAR\nEND_VAR\n  x := a;\nEND_PROGRAM").unwrap(),
+            format!(
+                "PROGRAM p VAR stickler_scan : DINT; END_VAR\nVAR a : BOOL; END_VAR\nVAR\nEND_VAR{assigned}\n  x := a;\nEND_PROGRAM"
+            )
+        );
+        let bare = of("PROGRAM p END_PROGRAM").unwrap();
+        assert_eq!(
+            bare,
+            format!("PROGRAM p VAR stickler_scan : DINT; END_VAR{assigned} END_PROGRAM")
+        );
+        let observe = [1, 2, 3, 4, 5].map(|scan| Observation {
+            after: Some(scan),
+            ..Observation::last("x", "INT")
+        });
+        let source = "PROGRAM p\nx := x + 1;\nEND_PROGRAM";
+        let request = RunRequest {
+            scans: 6,
+            ..RunRequest::once(DialectName::MATIEC, source, &observe)
+        };
+        let copied = copied_by_scan(&request).unwrap();
+        assert_eq!(&*copied.observe[4].name, "stickler_copy_4");
+        assert!(copied.text.contains("x := x + 1;\n stickler_scan_copied := stickler_scan_copied + 1; CASE stickler_scan_copied OF 1: stickler_copy_0 := x; 2:"));
+        assert!(copied_by_scan(&RunRequest::once(DialectName::MATIEC, source, &observe[..1])).is_none());
+        assert_eq!(of("FUNCTION f : INT END_FUNCTION"), None);
+    }
+}

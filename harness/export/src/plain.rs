@@ -1,0 +1,110 @@
+//! Writes cases without a harness: one line of JSON for each case, and for each that can be tried by hand a file of Structured
+//! Text whose variables `CHECK_1`, `CHECK_2` … become TRUE.
+
+mod line;
+mod program;
+#[cfg(test)]
+mod tests;
+
+use crate::ExportError;
+use line::CaseLine;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{self, File};
+use std::io::{BufWriter, ErrorKind, Write};
+use std::path::Path;
+use stickler_suite::{Case, Sources};
+
+/// The file of the cases.
+pub const CASES: &str = "cases.jsonl";
+
+/// The file with the JSON Schema of a line of [`CASES`].
+const SCHEMA: &str = "cases.schema.json";
+
+/// The folder of the programs.
+const PROGRAMS: &str = "programs";
+
+/// The greatest length of a file's name, in bytes.
+const MAX_NAME: usize = 120;
+
+/// The result of an export without a harness.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct PlainExported {
+    /// The number of cases.
+    pub cases: usize,
+    /// The number of files of Structured Text.
+    pub programs: usize,
+    /// The number of cases that have no such file, by the reason.
+    pub without: BTreeMap<&'static str, usize>,
+}
+
+/// Writes cases into a folder, which is empty or does not exist yet.
+///
+/// # Errors
+/// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
+pub fn export_plain(cases: &[&Case], sources: &Sources, folder: &Path) -> Result<PlainExported, ExportError> {
+    let is_occupied = match fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_some(),
+        Err(error) if error.kind() == ErrorKind::NotFound => false,
+        Err(error) => return Err(ExportError::Read(folder.to_owned(), error)),
+    };
+    if is_occupied {
+        return Err(ExportError::Occupied(folder.to_owned()));
+    }
+    create(folder)?;
+    let schema = folder.join(SCHEMA);
+    fs::write(&schema, include_str!("plain/cases.schema.json")).map_err(writing(&schema))?;
+    let lines = folder.join(CASES);
+    let mut out = BufWriter::new(File::create(&lines).map_err(writing(&lines))?);
+    let mut exported = PlainExported::default();
+    let mut taken = BTreeSet::new();
+    for case in cases {
+        let file = match program::text(case, sources) {
+            Ok(text) => {
+                let name = file_name(case, &mut taken);
+                let path = folder.join(&name);
+                path.parent().map_or(Ok(()), create)?;
+                fs::write(&path, text).map_err(writing(&path))?;
+                exported.programs += 1;
+                Some(name)
+            }
+            Err(reason) => {
+                *exported.without.entry(reason).or_default() += 1;
+                None
+            }
+        };
+        exported.cases += 1;
+        let line = CaseLine::new(case, sources, file);
+        let written = serde_json::to_writer(&mut out, &line).map_err(Into::into);
+        written.and_then(|()| writeln!(out)).map_err(writing(&lines))?;
+    }
+    out.flush().map_err(writing(&lines))?;
+    Ok(exported)
+}
+
+fn create(folder: &Path) -> Result<(), ExportError> {
+    fs::create_dir_all(folder).map_err(writing(folder))
+}
+
+fn writing(path: &Path) -> impl Fn(std::io::Error) -> ExportError + '_ {
+    move |error| ExportError::Write(path.to_owned(), error)
+}
+
+/// Returns the path of the file of a case below the folder, with forward slashes: its dialect and its id, in characters that every
+/// system takes.
+fn file_name(case: &Case, taken: &mut BTreeSet<String>) -> String {
+    let mut name = format!("{PROGRAMS}/{}/", case.dialect);
+    for letter in case.id.replace("::", "/").chars() {
+        let is_plain = letter.is_ascii_alphanumeric() || matches!(letter, '/' | '-' | '.');
+        name.push(if is_plain { letter } else { '_' });
+    }
+    let start = name.rfind('/').map_or(0, |slash| slash + 1);
+    name.truncate(start + MAX_NAME);
+    let stem = name.clone();
+    let mut number = 1;
+    // Some systems tell no capitals apart.
+    while !taken.insert(name.to_ascii_lowercase()) {
+        number += 1;
+        name = format!("{stem}-{number}");
+    }
+    name + ".st"
+}

@@ -1,0 +1,204 @@
+//! The file of a case that a person reads and any compiler runs: a comment with the claim and its source, the program, and
+//! variables that become TRUE where it has the values that it must have.
+
+use crate::page::{literal, shown};
+use std::fmt::Write;
+use stickler_run::{Fact, breaks_reading, expected_facts};
+use stickler_suite::{Acceptance, Case, ExpectedValue, Sources};
+use stickler_syntax::tree::{Declaration, Pou, PouKind};
+use stickler_types::{Dialect, ElementaryType, Value};
+
+/// The start of the names of the variables that become TRUE.
+pub(super) const CHECK: &str = "CHECK_";
+
+/// Returns the text of the file of a case.
+///
+/// # Errors
+/// The reason why the case has none.
+pub(super) fn text(case: &Case, sources: &Sources) -> Result<String, &'static str> {
+    let expectation = &*case.expectation;
+    if case.is_open() {
+        return Err("no source says what must come");
+    }
+    if expectation.rendered.is_some() {
+        return Err("they ask for the program in normal form");
+    }
+    if !case.clock.is_empty() {
+        return Err("time passes between scans as a program cannot say");
+    }
+    let program = case.source.trim_start();
+    let program = match expectation.accepted {
+        Acceptance::Rejected => marked(case),
+        _ if expectation.values.is_empty() => program.to_owned(),
+        _ => checked(case)?,
+    };
+    Ok(format!("{}{}\n", head(case, sources), program.trim_end()))
+}
+
+/// Returns the comment before the program.
+fn head(case: &Case, sources: &Sources) -> String {
+    let mut head = format!(
+        "(* {}\n   case     {}@{}\n   source   {}",
+        case.title, case.id, case.dialect, case.basis
+    );
+    if let Some((source, section)) = sources.of(&case.basis) {
+        // Writing into a String does not fail.
+        let _ = write!(head, ", {}", source.address_of(section));
+    }
+    let facts = Fact::text(&expected_facts(case));
+    for (number, fact) in facts.lines().enumerate() {
+        let word = if number == 0 { "expects" } else { "" };
+        let _ = write!(head, "\n   {word:<8} {fact}");
+    }
+    if case.scans > 1 {
+        let _ = write!(head, "\n   scans    {}", case.scans);
+    }
+    let head = head.replacen("(* ", "", 1);
+    format!("(* {} *)\n", shown(&head))
+}
+
+/// Returns a program that must be rejected, with a comment at the end of each line that an error names. A mistake in reading may be
+/// one about comments, so then there are none.
+fn marked(case: &Case) -> String {
+    let diagnostics = &case.expectation.diagnostics;
+    let is_readable = diagnostics.iter().all(|one| !breaks_reading(one.code));
+    let skipped = case
+        .source
+        .lines()
+        .take_while(|line| line.trim().is_empty())
+        .count();
+    let mut text = String::with_capacity(case.source.len());
+    for (number, line) in (1..).zip(case.source.lines()).skip(skipped) {
+        text.push_str(line);
+        for one in diagnostics.iter().filter(|one| one.line == number && is_readable) {
+            let _ = write!(text, " (* error {} *)", one.code.as_str());
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Returns a program that must be accepted, with a variable for each value that becomes TRUE where the value is there.
+fn checked(case: &Case) -> Result<String, &'static str> {
+    let text = &*case.source;
+    let (unit, _) = stickler_syntax::parse(text, Dialect::of(case.dialect));
+    let mut programs = unit
+        .declarations
+        .iter()
+        .filter_map(|declaration| match declaration {
+            Declaration::Pou(pou) if pou.kind == PouKind::Program => Some(pou),
+            _ => None,
+        });
+    let (Some(main), None) = (programs.next(), programs.next()) else {
+        return Err("they have no program, or several");
+    };
+    let body = &text[main.span.start as usize..main.end.start as usize];
+    let upper = body.to_ascii_uppercase();
+    if upper.contains("RETURN") || upper.contains(CHECK) {
+        return Err("they may end before their last statement");
+    }
+    let counts = case.scans > 1 || !case.set.is_empty();
+    let mut declared = String::from("VAR\n");
+    let mut after = String::new();
+    if counts {
+        let _ = writeln!(declared, "    {CHECK}scan : DINT;");
+    }
+    for (number, value) in (1..).zip(&case.expectation.values) {
+        let Some(condition) = condition(value) else {
+            return Err("they expect -0.0, which no comparison tells from 0.0");
+        };
+        let _ = writeln!(declared, "    {CHECK}{number} : BOOL;");
+        let check = format!("{CHECK}{number} := {condition};");
+        let _ = match value.after {
+            Some(scan) => writeln!(after, "    IF {CHECK}scan = {scan} THEN {check} END_IF;"),
+            None => writeln!(after, "    {check}"),
+        };
+    }
+    declared.push_str("END_VAR\n");
+    let mut before = String::new();
+    if counts {
+        let _ = writeln!(before, "    {CHECK}scan := {CHECK}scan + 1;");
+    }
+    for setting in case.set.iter() {
+        let value = literal(&setting.value).ok_or("a value that is set has no literal")?;
+        let _ = writeln!(
+            before,
+            "    IF {CHECK}scan = {} THEN {} := {value}; END_IF;",
+            setting.before, setting.name
+        );
+    }
+    let (statements, end) = (first_statement(main), main.end.start as usize);
+    let start = text.len() - text.trim_start().len();
+    let checked = format!(
+        "{}\n{declared}{before}{}{after}{}",
+        text[start..statements].trim_end(),
+        indented(&text[statements..end]),
+        &text[end..]
+    );
+    match stickler_reference::errors(&checked, case.dialect).is_empty() {
+        true => Ok(checked),
+        false => Err("their values cannot be compared inside of the program"),
+    }
+}
+
+/// Returns the offset behind the declarations of a program.
+fn first_statement(main: &Pou<'_>) -> usize {
+    let sections = main.blocks.iter().map(|block| block.span.end);
+    sections.max().unwrap_or(main.name.span.end) as usize
+}
+
+fn indented(statements: &str) -> String {
+    let statements = statements.trim_matches(['\n', '\r', ';']).trim_end();
+    match statements.trim().is_empty() {
+        true => String::new(),
+        false => format!(
+            "{statements}{}\n",
+            if statements.ends_with(';') { "" } else { ";" }
+        ),
+    }
+}
+
+/// Returns the condition that a variable has a value; `None` for -0.0.
+fn condition(expected: &ExpectedValue) -> Option<String> {
+    let ExpectedValue { name, value, .. } = expected;
+    match value {
+        Value::Plain { ty, raw } if ty.is_real() => {
+            let number = match ty {
+                ElementaryType::Real => f64::from(f32::from_bits(u32::try_from(*raw).ok()?)),
+                _ => f64::from_bits(*raw),
+            };
+            if number == 0.0 && number.is_sign_negative() {
+                return None;
+            }
+            let greatest = match ty {
+                ElementaryType::Real => "REAL#3.4028235E+38",
+                _ => "LREAL#1.7976931348623157E+308",
+            };
+            Some(match literal(value) {
+                Some(literal) => format!("{name} = {literal}"),
+                None if number.is_nan() => format!("NOT ({name} = {name})"),
+                None if number > 0.0 => format!("{name} > {greatest}"),
+                None => format!("{name} < -{greatest}"),
+            })
+        }
+        // The raw forms of numbers of one sign are in the order of their amounts.
+        Value::Near { ty, raw, units } => {
+            let [one, other] = [raw - u64::from(*units), raw + u64::from(*units)];
+            let ends = [one, other].map(|raw| literal(&Value::plain(*ty, raw)));
+            let [one, other] = [ends[0].as_ref()?, ends[1].as_ref()?];
+            let is_negative = raw >> (ty.bits() - 1) == 1;
+            let (least, greatest) = if is_negative { (other, one) } else { (one, other) };
+            Some(format!("({name} >= {least}) AND ({name} <= {greatest})"))
+        }
+        // A truth value needs no comparison, which not every dialect has of them.
+        Value::Plain {
+            ty: ElementaryType::Bool,
+            raw: 1,
+        } => Some(name.to_string()),
+        Value::Plain {
+            ty: ElementaryType::Bool,
+            ..
+        } => Some(format!("NOT {name}")),
+        _ => Some(format!("{name} = {}", literal(value)?)),
+    }
+}

@@ -1,0 +1,103 @@
+//! Tests what is exported without a harness: its schema, and that the files alone give the verdicts of the suite on the reference.
+
+use super::line::CaseLine;
+use super::program::CHECK;
+use super::{CASES, PROGRAMS, SCHEMA, export_plain};
+use crate::ExportError;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use stickler_engines::{Observation, Outcome, RunRequest};
+use stickler_reference::Limits;
+use stickler_suite::{Acceptance, Case, Suite};
+use stickler_types::Value;
+
+/// Returns the suite, of whose cases every 211th is tried.
+fn suite() -> Suite {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let mut suite = Suite::load(&folder);
+    let mut number = 0;
+    suite.cases.retain(|_| {
+        number += 1;
+        number % 211 == 0
+    });
+    suite
+}
+
+#[test]
+fn the_schema_is_that_of_the_lines() {
+    let settings = schemars::generate::SchemaSettings::default().for_serialize();
+    let schema = settings
+        .into_generator()
+        .into_root_schema_for::<CaseLine<'static>>();
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/plain/cases.schema.json");
+    let text = format!("{:#}\n", schema.as_value());
+    if std::env::var_os("STICKLER_BLESS").is_some() {
+        fs::write(&file, &text).expect("a file");
+    }
+    assert_eq!(fs::read_to_string(file).expect("a file"), text);
+}
+
+#[test]
+fn the_files_alone_give_the_verdicts_of_the_suite() {
+    let suite = suite();
+    let cases: Vec<&Case> = suite.cases.iter().collect();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let into = folder.path().join("plain");
+    let exported = export_plain(&cases, &suite.sources, &into).expect("an export");
+    assert!(exported.programs > 500, "{exported:?}");
+    assert!(into.join(SCHEMA).is_file());
+    let by_key: BTreeMap<_, &Case> = cases
+        .iter()
+        .map(|case| ((&*case.id, case.dialect.as_str()), *case))
+        .collect();
+    let lines = fs::read_to_string(into.join(CASES)).expect("the lines");
+    assert_eq!(lines.lines().count(), cases.len());
+    let mut tried = 0;
+    for line in lines.lines() {
+        let line: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        let word = |key: &str| line[key].as_str().unwrap_or_default();
+        let case = by_key[&(word("id"), word("dialect"))];
+        if let Some(file) = line["file"].as_str() {
+            assert!(file.starts_with(PROGRAMS));
+            judge(case, &fs::read_to_string(into.join(file)).expect("a program"));
+            tried += 1;
+        }
+    }
+    assert_eq!(tried, exported.programs);
+    let again = export_plain(&cases, &suite.sources, &into);
+    assert!(matches!(again, Err(ExportError::Occupied(_))), "{again:?}");
+}
+
+/// Asserts that a file alone tells what the case expects, and that the reference does it.
+fn judge(case: &Case, text: &str) {
+    let key = format!("{}@{}\n{text}", case.id, case.dialect);
+    assert!(text.contains(&*case.basis), "{key}");
+    let names = stickler_reference::variables(text, case.dialect, usize::MAX);
+    let checks = names
+        .into_iter()
+        .filter(|name| name.starts_with(CHECK) && !name.ends_with("scan"));
+    let observe: Vec<Observation> = checks.map(|name| Observation::last(&name, "BOOL")).collect();
+    let request = RunRequest {
+        scans: case.scans,
+        ..RunRequest::once(case.dialect, text, &observe)
+    };
+    let outcome = stickler_reference::run(&request, Limits::default()).expect("an outcome");
+    match (case.expectation.accepted, outcome) {
+        (Acceptance::Rejected, Outcome::Rejected { .. }) => {}
+        (Acceptance::Required, Outcome::Faulted { fault, .. }) => {
+            assert_eq!(
+                Some(fault),
+                case.expectation.fault.map(|expected| expected.fault),
+                "{key}"
+            );
+        }
+        (Acceptance::Required, Outcome::Executed { values, .. }) => {
+            assert_eq!(values.len(), case.expectation.values.len(), "{key}");
+            for (name, value) in values {
+                assert_eq!(Ok(&value), Value::parse("BOOL#TRUE").as_ref(), "{name} of {key}");
+            }
+        }
+        (_, outcome) => panic!("{outcome} of {key}"),
+    }
+}

@@ -1,0 +1,174 @@
+//! Reads and writes what references and pointers lead to.
+//!
+//! A value of its own type is read from its cell. Where a pointer is of another type than what it leads to, the bytes count that the value
+//! would have in a memory of bytes, the lowest first.
+//!
+//! Basis: rule: memory-of-pointers.
+
+use super::machine::Machine;
+use super::stop::Halt;
+use crate::addresses::{Layout, LayoutId, LayoutKind};
+use crate::instruction::{Address, FaultKind};
+use crate::raw::narrow;
+use stickler_types::ElementaryType;
+
+/// The fault of what a memory of cells cannot do.
+const NOT_MODELLED: FaultKind =
+    FaultKind::Own("not implemented: a variable of another type behind a pointer to what is no plain value");
+
+impl<'p> Machine<'p> {
+    fn layout(&self, id: LayoutId) -> Result<&'p Layout, Halt> {
+        let layout = self.program.addresses.layouts.get(id as usize);
+        layout.ok_or(Halt::Missing("layout of a value"))
+    }
+
+    /// Finds the layout and the cell of what lies at an address, and the byte of it that is meant.
+    fn find(&mut self, address: u64, wanted: LayoutId) -> Result<(LayoutId, Address, u32), Halt> {
+        self.spend(1)?;
+        // What is counted from the address of nothing, such as that of a field, leads to nothing as well.
+        if address >> 32 == 0 {
+            return Err(FaultKind::NullDereference.into());
+        }
+        match self.program.addresses.find(address, wanted) {
+            Some((object, ..)) if object.frame.is_some_and(|code| !self.is_running(code)) => {
+                Err(FaultKind::InvalidAddress.into())
+            }
+            Some((_, layout, cell, within)) => Ok((layout, cell, within)),
+            None => Err(FaultKind::InvalidAddress.into()),
+        }
+    }
+
+    /// Replaces the address of a cell on the stack by its address in bytes.
+    pub(super) fn address_of(&mut self) -> Result<(), Halt> {
+        let cell = self.pop_address()?;
+        let address = self.program.addresses.address_of(cell);
+        let address = address.ok_or(Halt::Missing("variable at this address"))?;
+        self.operands.push(address);
+        Ok(())
+    }
+
+    /// Replaces an address in bytes on the stack by that of the cell of a value of a layout.
+    pub(super) fn locate(&mut self, id: LayoutId) -> Result<(), Halt> {
+        let address = self.pop()?;
+        let (found, cell, within) = self.find(address, id)?;
+        let is_same = match (&self.layout(found)?.kind, &self.layout(id)?.kind) {
+            (LayoutKind::Plain(one), LayoutKind::Plain(other))
+            | (LayoutKind::Text(one, _), LayoutKind::Text(other, _)) => one == other,
+            _ => found == id,
+        };
+        if within > 0 || !is_same {
+            return Err(NOT_MODELLED.into());
+        }
+        self.operands.push(cell.into());
+        Ok(())
+    }
+
+    /// Replaces an address in bytes on the stack by the plain value there.
+    pub(super) fn peek(&mut self, id: LayoutId) -> Result<(), Halt> {
+        let address = self.pop()?;
+        let value = match self.own_cell(address, id)? {
+            Some(cell) => self.memory.load(cell)?,
+            None => {
+                let (ty, size) = self.plain_layout(id)?;
+                let mut bits = 0;
+                for index in 0..size {
+                    let byte = self.byte(address.wrapping_add(index.into()), id, None)?;
+                    bits |= u64::from(byte) << (8 * index);
+                }
+                raw_form(ty, size, bits)
+            }
+        };
+        self.operands.push(value);
+        Ok(())
+    }
+
+    /// Pops a plain value and an address in bytes, and writes the value there.
+    pub(super) fn poke(&mut self, id: LayoutId) -> Result<(), Halt> {
+        let value = self.pop()?;
+        let address = self.pop()?;
+        if let Some(cell) = self.own_cell(address, id)? {
+            return self.memory.store(cell, value);
+        }
+        let (ty, size) = self.plain_layout(id)?;
+        let bits = stored_form(ty, size, value);
+        // Nothing is written where not all of it finds room.
+        for new in [false, true] {
+            for index in 0..size {
+                let byte = new.then_some((bits >> (8 * index)) as u8);
+                self.byte(address.wrapping_add(index.into()), id, byte)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn plain_layout(&self, id: LayoutId) -> Result<(ElementaryType, u32), Halt> {
+        let layout = self.layout(id)?;
+        match layout.kind {
+            LayoutKind::Plain(ty) => Ok((ty, layout.size)),
+            _ => Err(Halt::Missing("plain layout")),
+        }
+    }
+
+    /// Returns the cell of a value that is of the type of the pointer to it.
+    fn own_cell(&mut self, address: u64, id: LayoutId) -> Result<Option<Address>, Halt> {
+        let (found, cell, within) = self.find(address, id)?;
+        let (ty, _) = self.plain_layout(id)?;
+        let is_same = matches!(self.layout(found)?.kind, LayoutKind::Plain(of) if of == ty);
+        Ok((within == 0 && is_same).then_some(cell))
+    }
+
+    /// Reads the byte at an address, having written it first where one is given.
+    fn byte(&mut self, address: u64, id: LayoutId, new: Option<u8>) -> Result<u8, Halt> {
+        let (found, cell, within) = self.find(address, id)?;
+        let layout = self.layout(found)?;
+        let replaced = |old: u64, shift: u32| match new {
+            Some(byte) => (old & !(0xFF << shift)) | u64::from(byte) << shift,
+            None => old,
+        };
+        match layout.kind {
+            LayoutKind::Plain(ty) => {
+                let bits = replaced(stored_form(ty, layout.size, self.memory.load(cell)?), 8 * within);
+                if new.is_some() {
+                    self.memory.store(cell, raw_form(ty, layout.size, bits))?;
+                }
+                Ok((bits >> (8 * within)) as u8)
+            }
+            LayoutKind::Text(ty, capacity) => {
+                let (unit, shift) = match ty {
+                    ElementaryType::Wstring => (within / 2, within % 2 * 8),
+                    _ => (within, 0),
+                };
+                let bits = replaced(self.memory.unit(cell, unit)?.into(), shift);
+                if new.is_some() {
+                    self.spend_on_text(capacity.into())?;
+                    self.memory.set_unit(cell, capacity, unit, bits as u16)?;
+                }
+                Ok((bits >> shift) as u8)
+            }
+            _ => Err(NOT_MODELLED.into()),
+        }
+    }
+}
+
+/// Returns the nanoseconds that one count of a moment of 32 bits stands for; 1 for all else.
+fn unit_of(ty: ElementaryType, size: u32) -> i64 {
+    match ty {
+        ElementaryType::Time | ElementaryType::Tod if size == 4 => 1_000_000,
+        ElementaryType::Date | ElementaryType::Dt if size == 4 => 1_000_000_000,
+        _ => 1,
+    }
+}
+
+/// Returns the bits that a memory of bytes has of a value.
+fn stored_form(ty: ElementaryType, size: u32, raw: u64) -> u64 {
+    let bits = raw.cast_signed().div_euclid(unit_of(ty, size)).cast_unsigned();
+    bits & (u64::MAX >> (64 - 8 * size.clamp(1, 8)))
+}
+
+/// Returns the value of bits in a memory of bytes.
+fn raw_form(ty: ElementaryType, size: u32, bits: u64) -> u64 {
+    match ty {
+        ElementaryType::Bool => u64::from(bits != 0),
+        _ => narrow(bits, ty).wrapping_mul(unit_of(ty, size).cast_unsigned()),
+    }
+}

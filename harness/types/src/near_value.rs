@@ -1,0 +1,109 @@
+//! Real numbers that an expectation states up to some units in the last place.
+//!
+//! Basis: rule: reals-within-units.
+
+use crate::elementary::ElementaryType;
+use crate::literal::LiteralError;
+use crate::value::{Value, WITHIN};
+
+impl Value {
+    /// Parses what an expectation states of a value: what [`Value::parse`] reads, or `REAL#1.4142135 within 2`.
+    ///
+    /// # Errors
+    /// As [`Value::parse`]; and [`LiteralError::Malformed`] where a number of units stands behind what is no finite real number, or `within` before
+    /// what is no such number from 1 to 1000.
+    pub fn parse_expected(text: &str) -> Result<Value, LiteralError> {
+        let Some((literal, units)) = text.split_once(WITHIN).filter(|_| !text.contains(['\'', '"'])) else {
+            return Value::parse(text);
+        };
+        let units = units
+            .trim()
+            .parse()
+            .ok()
+            .filter(|units| (1..=1000).contains(units));
+        let units = units.ok_or(LiteralError::malformed(
+            literal.len() + WITHIN.len(),
+            "a number of units in the last place from 1 to 1000",
+        ))?;
+        match Value::parse(literal.trim_end())? {
+            Value::Plain { ty, raw } if rank(ty, raw).is_some() => Ok(Value::Near { ty, raw, units }),
+            _ => Err(LiteralError::malformed(
+                0,
+                "a finite REAL or LREAL before `within`",
+            )),
+        }
+    }
+
+    /// Returns whether an engine may give a value where this one is expected: an equal one, or one that is so near.
+    #[must_use]
+    pub fn admits(&self, given: &Value) -> bool {
+        let (
+            Value::Near { ty, raw, units },
+            Value::Plain {
+                ty: other,
+                raw: given,
+            },
+        ) = (self, given)
+        else {
+            return self == given;
+        };
+        let ranks = rank(*ty, *raw).zip(rank(*other, *given));
+        ty == other && ranks.is_some_and(|(one, other)| one.abs_diff(other) <= u128::from(*units))
+    }
+
+    /// Returns the number to which others are near, and any other value as it is.
+    pub(crate) fn middle(&self) -> Option<Value> {
+        match self {
+            Value::Near { ty, raw, .. } => Some(Value::plain(*ty, *raw)),
+            _ => None,
+        }
+    }
+}
+
+/// Returns the place of a finite real number among those of its type, in their order; both zeros have the same. `None` for all other values.
+fn rank(ty: ElementaryType, raw: u64) -> Option<i128> {
+    let infinity = match ty {
+        ElementaryType::Real => u64::from(f32::INFINITY.to_bits()),
+        ElementaryType::Lreal => f64::INFINITY.to_bits(),
+        _ => return None,
+    };
+    let sign = 1_u64 << (ty.bits() - 1);
+    let magnitude = raw & !sign;
+    let rank = i128::from(magnitude);
+    (magnitude < infinity).then_some(if raw & sign == 0 { rank } else { -rank })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_near_by_its_units_in_the_last_place() {
+        let near = |expected: &str, given: &str| {
+            let expected = Value::parse_expected(expected).unwrap();
+            assert_eq!(Value::parse_expected(&expected.to_string()), Ok(expected.clone()));
+            expected.admits(&Value::parse(given).unwrap())
+        };
+        assert!(near("REAL#1.0 within 1", "REAL#1.0000001"));
+        assert!(!near("REAL#1.0 within 1", "REAL#1.0000002") && near("REAL#1.0 within 2", "REAL#1.0000002"));
+        assert!(near("REAL#-1.0 within 1", "REAL#-0.99999994") && !near("REAL#1.0 within 9", "REAL#-1.0"));
+        assert!(near("LREAL#0.0 within 1", "LREAL#-0.0") && near("LREAL#0.0 within 2", "LREAL#-5.0E-324"));
+        assert!(!near("LREAL#1.0 within 1", "REAL#1.0") && !near("LREAL#1.0 within 1", "LREAL#NaN"));
+        assert!(!near("LREAL#1.7976931348623157E308 within 1", "LREAL#Infinity"));
+        assert!(!near("REAL#1.0", "REAL#1.0000001") && near("INT#5", "INT#5"));
+    }
+
+    #[test]
+    fn only_finite_reals_are_near_anything() {
+        for text in [
+            "INT#5 within 1",
+            "REAL#NaN within 1",
+            "REAL#1.0 within 0",
+            "REAL#1.0 within x",
+            "REAL#1.0 within 1001",
+        ] {
+            assert!(Value::parse_expected(text).is_err(), "{text}");
+        }
+        assert!(Value::parse_expected("STRING#'1 within 2'").is_ok());
+    }
+}
