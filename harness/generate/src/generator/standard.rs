@@ -124,11 +124,7 @@ impl ProgramBuilder<'_, '_> {
             "right"
         };
         if self.random.chance(1, 3) && !self.lacks(key) {
-            let count = integer(
-                ElementaryType::Int,
-                self.random.between(0, 9),
-                LiteralForm::Untyped,
-            );
+            let count = integer(ElementaryType::Int, self.random.between(0, 9), LiteralForm::Typed);
             return Expression::standard(function, vec![text, count], ty);
         }
         let more = self.literal(ty, TypeContext::Exact);

@@ -226,7 +226,8 @@ mod tests {
             let again = crate::model::Statement::Raw("missing := 1;".to_owned());
             planted.program.main.body.push(again);
         };
-        let changes: [(&dyn Fn(&mut Planted), Option<&str>); 5] = [
+        type Change<'c> = &'c dyn Fn(&mut Planted);
+        let changes: [(Change<'_>, Option<&str>); 5] = [
             (&|_| {}, None),
             (
                 &|planted| planted.program = sound.clone(),
