@@ -169,13 +169,15 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             }
         }
+        let library = self.behind_library(callee, at);
+        self.note_if(library.is_some(), "qualified-name", span);
         let name = match at.unit.expression(callee).map(|callee| &callee.kind) {
             Some(ExpressionKind::Name(name)) if self.own_instance(name.text, span) => None,
             Some(ExpressionKind::Name(name)) => Some(name.text),
             Some(ExpressionKind::Field { field, .. }) if self.declared(field.text).is_some() => {
                 Some(field.text)
             }
-            _ => self.behind_library(callee, at),
+            _ => library,
         };
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
