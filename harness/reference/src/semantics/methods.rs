@@ -100,22 +100,15 @@ impl<'m> Lowering<'m> {
         }
         match self.expression(id).kind {
             ExpressionKind::Name(name) => {
-                if self.variable(name.text).is_some() {
-                    return None;
-                }
-                let member = self.model.member(self.own_pou()?, name.text)?;
-                Some(UsedMember {
-                    receiver: Receiver::This,
-                    member,
-                })
+                let pou = self.own_pou().filter(|_| self.variable(name.text).is_none())?;
+                let member = self.model.member(pou, name.text)?;
+                let receiver = Receiver::This;
+                Some(UsedMember { receiver, member })
             }
             ExpressionKind::Field { base, field } => {
                 if let Some(own) = self.own_instance_of(base) {
-                    let receiver = if own.is_super {
-                        Receiver::Super
-                    } else {
-                        Receiver::This
-                    };
+                    let receivers = [Receiver::This, Receiver::Super];
+                    let receiver = receivers[usize::from(own.is_super)];
                     let member = self.model.member(own.pou, field.text)?;
                     return Some(UsedMember { receiver, member });
                 }
@@ -128,11 +121,8 @@ impl<'m> Lowering<'m> {
                 };
                 let member = self.model.member(block.pou, field.text)?;
                 let receiver = Receiver::Instance(base);
-                self.model
-                    .types
-                    .element(ty, field.text)
-                    .is_none()
-                    .then_some(UsedMember { receiver, member })
+                let hides = self.model.types.element(ty, field.text).is_some();
+                (!hides).then_some(UsedMember { receiver, member })
             }
             _ => None,
         }
@@ -221,11 +211,9 @@ impl<'m> Lowering<'m> {
             self.lower_arguments(arguments);
             return LoweredValue::ERROR;
         };
-        if used && self.model.pous[member as usize].result.is_none() {
-            let message = format!(
-                "the method `{}` gives no value",
-                self.model.pous[member as usize].pou.name.text
-            );
+        let entry = &self.model.pous[member as usize];
+        if used && entry.result.is_none() {
+            let message = format!("the method `{}` gives no value", entry.pou.name.text);
             self.report(Code::MethodCallWithoutReturnValue, span, message);
         }
         self.call_entered(span, callee, entrance, arguments, used)
@@ -337,9 +325,8 @@ impl<'m> Lowering<'m> {
             self.copy_variable(from, to);
         }
         self.emit(Instruction::Return);
-        program
-            .methods
-            .insert((owner + 1, dispatch.frame), dispatch.routine);
+        let key = (owner + 1, dispatch.frame);
+        program.methods.insert(key, dispatch.routine);
     }
 
     /// Copies a variable of one frame to another; of a VAR_IN_OUT, the address.

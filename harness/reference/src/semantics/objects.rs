@@ -112,11 +112,7 @@ impl<'u> Declarer<'u, '_> {
         let is_final = found.is_some_and(|found| self.model.pous[found as usize].pou.modifiers.is_final);
         if found.is_none() || is_final {
             let verb = if is_base { "extended" } else { "implemented" };
-            let reason = if is_final {
-                "is FINAL, and"
-            } else {
-                "is of a kind that"
-            };
+            let reason = ["is of a kind that", "is FINAL, and"][usize::from(is_final)];
             let message = format!("`{}` {reason} cannot be {verb} here", name.text);
             self.report(Code::InheritanceInvalid, name.span, message);
             return None;
@@ -131,16 +127,12 @@ impl<'u> Declarer<'u, '_> {
     /// Declares the variables of VAR_INST of the methods, which are kept with those of the owner.
     pub(super) fn declare_instance_variables(&mut self, owner: usize) {
         let pou = self.model.pous[owner].pou;
-        let mut parts = pou.members.iter().zip(owner + 1..);
-        let mut found = Vec::new();
-        for (part, index) in &mut parts {
+        for (part, index) in pou.members.iter().zip(owner + 1..) {
             let blocks = part.blocks.iter();
-            let blocks = blocks.filter(|block| block.kind == VariableKind::Instance);
-            found.extend(blocks.map(|block| (index, block)));
-        }
-        for (index, block) in found {
-            for group in &block.groups {
-                self.declare_group(index, block, group);
+            for block in blocks.filter(|block| block.kind == VariableKind::Instance) {
+                for group in &block.groups {
+                    self.declare_group(index, block, group);
+                }
             }
         }
     }

@@ -48,10 +48,8 @@ impl<'u> Declarer<'u, '_> {
             }
         }
         for index in 0..count {
-            if matches!(
-                self.model.pous[index].pou.kind,
-                PouKind::FunctionBlock | PouKind::Class
-            ) {
+            let kind = self.model.pous[index].pou.kind;
+            if matches!(kind, PouKind::FunctionBlock | PouKind::Class) {
                 self.check_promises(saturating_u32(index), &mut groups);
             }
         }
@@ -62,13 +60,10 @@ impl<'u> Declarer<'u, '_> {
     fn link_with_base(&mut self, index: u32, groups: &mut Groups) {
         let entry = &self.model.pous[index as usize];
         let (pou, owner) = (entry.pou, entry.owner.unwrap_or_default());
-        let (outer, base) = (
-            self.model.pous[owner as usize].pou,
-            self.model.pous[owner as usize].base,
-        );
         let name = pou.name;
-        let scope = &self.model.pous[owner as usize].scope;
-        if scope.contains_key(&CaseFolded(name.text)) || self.is_inherited(owner as usize, name) {
+        let around = &self.model.pous[owner as usize];
+        let (outer, base) = (around.pou, around.base);
+        if around.scope.contains_key(&CaseFolded(name.text)) || self.is_inherited(owner as usize, name) {
             let message = format!("`{}` is a variable of `{}`", name.text, outer.name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
         }
@@ -120,18 +115,14 @@ impl<'u> Declarer<'u, '_> {
         let (leader, led) = if is_prototype(one) { (one, two) } else { (two, one) };
         groups.leaders[led as usize] = leader;
         let [own, others] = [member, other].map(|index| self.signature(index));
-        if let Some(difference) = own
+        let difference = own
             .zip(others)
-            .and_then(|(own, others)| difference(&own, &others))
-        {
+            .and_then(|(own, others)| difference(&own, &others));
+        if let Some(difference) = difference {
             let entry = &self.model.pous[other as usize];
-            let owner = entry
-                .owner
-                .map_or(entry.pou, |owner| self.model.pous[owner as usize].pou);
-            let message = format!(
-                "`{}` has not the {difference} that it has in `{}`",
-                entry.pou.name.text, owner.name.text
-            );
+            let owner = self.model.pous[entry.owner.unwrap_or(other) as usize].pou;
+            let (name, owner) = (entry.pou.name.text, owner.name.text);
+            let message = format!("`{name}` has not the {difference} that it has in `{owner}`");
             self.report(Code::InheritanceInvalid, place, message);
         }
     }
@@ -228,19 +219,10 @@ impl<'u> Declarer<'u, '_> {
     fn report_missing(&mut self, block: u32, promising: u32, promised: Member) {
         let part = promised.parts().into_iter().flatten().next().unwrap_or_default();
         let name = self.model.pous[part as usize].pou.name.text;
-        let (block, above) = (
-            self.model.pous[block as usize].pou,
-            self.model.pous[promising as usize].pou,
-        );
-        let what = if promised.method.is_some() {
-            "method"
-        } else {
-            "property"
-        };
-        let message = format!(
-            "`{}` has not the {what} `{name}` that `{}` demands",
-            block.name.text, above.name.text
-        );
+        let [block, above] = [block, promising].map(|index| self.model.pous[index as usize].pou);
+        let what = promised.method.map_or("property", |_| "method");
+        let (own, above) = (block.name.text, above.name.text);
+        let message = format!("`{own}` has not the {what} `{name}` that `{above}` demands");
         self.report(Code::InterfaceMemberMissing, block.name.span, message);
     }
 
@@ -251,11 +233,8 @@ impl<'u> Declarer<'u, '_> {
         for index in 0..saturating_u32(count) {
             let entry = &self.model.pous[index as usize];
             let leader = groups.leader(index);
-            if entry.owner.is_none()
-                || leader == index
-                    && self.model.pous[index as usize].has_body(&self.model)
-                    && !entry.is_overridden
-            {
+            let is_alone = leader == index && entry.has_body(&self.model) && !entry.is_overridden;
+            if entry.owner.is_none() || is_alone {
                 continue;
             }
             let frame = match frames[leader as usize] {

@@ -21,16 +21,9 @@ impl<'s> Parser<'s, '_> {
             return;
         }
         self.refused = true;
-        let standard = !BEYOND_THE_STANDARD.contains(&feature);
-        let code = if standard {
-            Code::Std2013Feature
-        } else {
-            Code::UnexpectedToken
-        };
-        let whose = if standard {
-            "of the third edition, which"
-        } else {
-            "which"
+        let (code, whose) = match BEYOND_THE_STANDARD.contains(&feature) {
+            false => (Code::Std2013Feature, "of the third edition, which"),
+            true => (Code::UnexpectedToken, "which"),
         };
         self.report(code, span, || {
             format!("{what}: a feature {whose} the dialect does not have")
@@ -78,12 +71,8 @@ impl<'s> Parser<'s, '_> {
         if !is_new || contradict {
             *modifiers = before;
             self.report(Code::MemberQualifierInvalid, span, || {
-                let reason = if is_new {
-                    "contradicts what stands before it"
-                } else {
-                    "stands here twice"
-                };
-                format!("`{word}` {reason}")
+                let reasons = ["stands here twice", "contradicts what stands before it"];
+                format!("`{word}` {}", reasons[usize::from(is_new)])
             });
         }
         true
@@ -139,10 +128,11 @@ impl<'s> Parser<'s, '_> {
         }
         let keyword = self.bump().span;
         let refused = self.refused;
-        match is_method {
-            true => self.requires("method", keyword, "METHOD"),
-            false => self.requires("property", keyword, "PROPERTY"),
-        }
+        let (feature, word, closer) = match is_method {
+            true => ("method", "METHOD", TokenKind::EndMethod),
+            false => ("property", "PROPERTY", TokenKind::EndProperty),
+        };
+        self.requires(feature, keyword, word);
         let mut modifiers = self.modifiers();
         modifiers.access = modifiers.access.or(access);
         let name = self.declared_name("a name");
@@ -157,11 +147,7 @@ impl<'s> Parser<'s, '_> {
             (Err(_), _) => {
                 self.skip_line();
                 self.part_body(&mut Vec::new());
-                self.close(if is_method {
-                    TokenKind::EndMethod
-                } else {
-                    TokenKind::EndProperty
-                });
+                self.close(closer);
             }
         }
         self.refused = refused;
