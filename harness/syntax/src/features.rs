@@ -477,9 +477,14 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 impl<'s> FeatureFinder<'_, 's> {
     /// Notes what has an END_… of its own and no `;` behind it.
     fn end_of_block(&mut self, span: Span) {
-        let behind = self.text.get(span.end as usize..).unwrap_or_default();
+        let (own, behind) = self.text.split_at(span.end as usize);
+        // A block that is cut short has no end.
+        let last = own
+            .rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_')
+            .next();
+        let has_end = last.is_some_and(|word| word.to_ascii_uppercase().starts_with("END_"));
         let is_closed = behind.trim_start().starts_with([';', ':', '(', '/', '{']);
-        self.note_if(!is_closed, "end-without-semicolon", span);
+        self.note_if(has_end && !is_closed, "end-without-semicolon", span);
     }
 
     fn named_type(&mut self, name: &Name<'s>) {
