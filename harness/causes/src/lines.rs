@@ -312,7 +312,7 @@ pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'st
     match program.unit.pous().rfind(|pou| begins_before(pou.span))?.kind {
         PouKind::Program => None,
         PouKind::Function => Some("a FUNCTION"),
-        PouKind::FunctionBlock => Some("a FUNCTION_BLOCK"),
+        _ => Some("a FUNCTION_BLOCK"),
     }
 }
 

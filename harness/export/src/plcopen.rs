@@ -210,7 +210,7 @@ impl PageSource<'_> {
         let kind = match pou.kind {
             PouKind::Program => "program",
             PouKind::Function => "function",
-            PouKind::FunctionBlock => "functionBlock",
+            _ => "functionBlock",
         };
         let attributes = [attribute("name", pou.name.text), attribute("pouType", kind)];
         nested(xml, "pou", attributes, |xml| {

@@ -11,6 +11,7 @@
 
 use crate::addresses::{AddressMap, LayoutId};
 use crate::conversion::{Concatenation, Conversion};
+use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
 use stickler_types::dialect::TextPositions;
 
@@ -43,6 +44,10 @@ pub struct MachineProgram {
     pub texts: Vec<TextCell>,
     /// Text constants, in code units.
     pub text_constants: Vec<Box<[u16]>>,
+    /// The routines of methods that the running program chooses, by the number of the type that declares them and their own.
+    pub methods: FxHashMap<(u32, u32), RoutineId>,
+    /// The type that another one extends, by the numbers of both.
+    pub bases: FxHashMap<u32, u32>,
     /// The variables that have addresses in bytes; none where no reference or pointer is made.
     pub addresses: AddressMap,
 }
@@ -215,6 +220,9 @@ pub enum Instruction {
     Call(RoutineId),
     /// Pops an address, which becomes `this` of the called routine.
     CallInstance(RoutineId),
+    /// Pops the address of an instance, whose first cell holds the number of its type; calls the method that the type has for this
+    /// number of [`MachineProgram::methods`]. Faults with null-dereference where there is no instance.
+    CallMethod(u32),
     /// Ends the routine.
     Return,
 }

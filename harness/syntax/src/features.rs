@@ -12,8 +12,8 @@ use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
     CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    InitializerKind, Modifiers, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
@@ -254,15 +254,37 @@ fn is_number_with_underscore(written: &str) -> bool {
 
 impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     fn pou(&mut self, pou: &'t Pou<'s>, _: &Context<'t, 's>) {
+        let span = pou.name.span;
         match pou.kind {
             PouKind::Program => {}
-            PouKind::Function if pou.result.is_none() => self.note("function-without-result", pou.name.span),
-            PouKind::Function => self.note("function", pou.name.span),
-            PouKind::FunctionBlock => self.note("function-block", pou.name.span),
+            PouKind::Function if pou.result.is_none() => self.note("function-without-result", span),
+            PouKind::Function => self.note("function", span),
+            PouKind::FunctionBlock => self.note("function-block", span),
+            PouKind::Class => self.note("class", span),
+            PouKind::Interface => self.note("interface", span),
+            PouKind::Method => self.note("method", span),
+            PouKind::Getter | PouKind::Setter => self.note("property", span),
         }
+        let Modifiers {
+            access,
+            is_abstract,
+            is_final,
+            is_override,
+        } = pou.modifiers;
+        self.note_if(access.is_some(), "access-specifier", span);
+        self.note_if(is_abstract, "abstract", span);
+        self.note_if(is_final, "final", span);
+        self.note_if(is_override, "override", span);
+        self.note_if(!pou.extends.is_empty(), "extends", span);
+        self.note_if(!pou.implements.is_empty(), "implements", span);
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
+        self.note_if(
+            declaration.extends.is_some(),
+            "structure-extends",
+            declaration.name.span,
+        );
         if matches!(
             declaration.specification.kind,
             TypeSpecificationKind::Structure(_)
@@ -286,6 +308,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         let key = match section.kind {
             VariableKind::Local => None,
             VariableKind::Temporary => Some("var-temp"),
+            VariableKind::Instance => Some("var-inst"),
             VariableKind::Input => Some("var-input"),
             VariableKind::Output => Some("var-output"),
             VariableKind::InOut => Some("var-in-out"),
@@ -295,6 +318,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         if let Some(key) = key {
             self.note(key, section.span);
         }
+        self.note_if(section.access.is_some(), "access-specifier", section.span);
         self.note_if(section.constant, "constant", section.span);
         if let Some(retention) = section.retention {
             let is_retain = retention.eq_ignore_ascii_case("RETAIN");
@@ -319,15 +343,19 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 initializer.span,
             );
         }
-        if let TypeSpecificationKind::Named(ty) = &group.specification.kind
-            && self.declared(ty.unqualified().text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
-        {
-            self.note("function-block-instance", ty.span);
-            let is_temporary = at
-                .section
-                .is_some_and(|section| section.kind != VariableKind::InOut)
-                && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
-            self.note_if(is_temporary, "function-block-in-function", ty.span);
+        if let TypeSpecificationKind::Named(ty) = &group.specification.kind {
+            match self.declared(ty.unqualified().text) {
+                Some(DeclaredKind::Pou(PouKind::FunctionBlock)) => {
+                    self.note("function-block-instance", ty.span);
+                    let is_temporary = at
+                        .section
+                        .is_some_and(|section| section.kind != VariableKind::InOut)
+                        && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
+                    self.note_if(is_temporary, "function-block-in-function", ty.span);
+                }
+                Some(DeclaredKind::Pou(PouKind::Interface)) => self.note("interface-variable", ty.span),
+                _ => {}
+            }
         }
     }
 
@@ -440,7 +468,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     ) {
         let is_callee = place == Place::Callee;
         match &expression.kind {
-            ExpressionKind::Name(_) if is_callee => {}
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } if is_callee => {}
             _ => self.expression_features(expression, around.and_then(|id| at.unit.expression(id)), at),
         }
     }

@@ -81,7 +81,7 @@ pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
 }
 
 /// Returns the names that a program declares for all of its text, in capitals: units, types and values of enumerations. `None`
-/// where the program cannot stand in one text with others: it is not whole, has a pragma, or shares variables with a
+/// where the program cannot stand in one text with others: it is not whole, has a pragma or a method, or shares variables with a
 /// configuration or, unless `takes_locations`, with the machine.
 #[must_use]
 pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option<HashSet<String>> {
@@ -89,10 +89,10 @@ pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option
     let tokens = tokens(text, dialect);
     let is_located = |token: &Token| !takes_locations && token.kind == TokenKind::Direct;
     let is_shared = |declaration: &Declaration<'_>| match declaration {
-        Declaration::Pou(pou) => pou
-            .blocks
-            .iter()
-            .any(|block| block.kind == VariableKind::External),
+        Declaration::Pou(pou) => {
+            let mut blocks = pou.blocks.iter();
+            pou.is_object() || blocks.any(|block| block.kind == VariableKind::External)
+        }
         Declaration::Types(_) => false,
         Declaration::Globals(_) | Declaration::Configuration(_) => true,
     };
@@ -104,7 +104,8 @@ pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option
         return None;
     }
     let is_known_everywhere = |one: &DeclaredName<'_, '_>| match one.kind {
-        DeclaredKind::Pou(_) | DeclaredKind::Type | DeclaredKind::EnumeratedValue => true,
+        DeclaredKind::Pou(kind) => !kind.is_member(),
+        DeclaredKind::Type | DeclaredKind::EnumeratedValue => true,
         DeclaredKind::Field | DeclaredKind::Variable(_) | DeclaredKind::Configuration => false,
     };
     let names = declared(&unit).into_iter().filter(is_known_everywhere);
@@ -170,11 +171,20 @@ impl<'t, 's> Names<'t, 's> {
 
 impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
     fn pou(&mut self, pou: &'t Pou<'s>, _: &Context<'t, 's>) {
-        self.declare(pou.name, DeclaredKind::Pou(pou.kind), None, None);
+        // The SET of a property has the name of its GET.
+        if pou.kind != PouKind::Setter || pou.result.is_some() {
+            self.declare(pou.name, DeclaredKind::Pou(pou.kind), None, None);
+        }
+        for base in pou.extends.iter().chain(&pou.implements) {
+            self.note(*base, UseKind::Type, None);
+        }
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
         self.declare(declaration.name, DeclaredKind::Type, None, None);
+        if let Some(base) = declaration.extends {
+            self.note(base, UseKind::Type, None);
+        }
     }
 
     fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
@@ -228,6 +238,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         at: &Context<'t, 's>,
     ) {
         match &expression.kind {
+            ExpressionKind::Name(name) if name.text.ends_with('^') => {}
             ExpressionKind::Name(name) => {
                 let kind = match place {
                     Place::Callee => UseKind::Callee,

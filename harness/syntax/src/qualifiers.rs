@@ -4,7 +4,7 @@
 
 use crate::names::{DeclaredKind, DeclaredName, declared};
 use crate::tree::{CaseFolded, Declaration, ExpressionId, ExpressionKind, Name, SourceUnit};
-use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind};
+use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind, own_instance};
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Dialect;
 
@@ -29,7 +29,7 @@ pub fn resolve_qualifiers<'s>(
         let Some((qualifier, name)) = qualified(unit, id) else {
             continue;
         };
-        let kind = if known.is_variable(qualifier) {
+        let kind = if known.is_variable(qualifier) || own_instance(qualifier.text).is_some() {
             None
         } else if known.enumerations.contains(&CaseFolded(qualifier.text)) {
             let span = qualifier.span.to(name.span);

@@ -97,10 +97,12 @@ macro_rules! keywords {
         $callback! {
             And = "AND", Array = "ARRAY", At = "AT", By = "BY", Case = "CASE",
             Configuration = "CONFIGURATION", Constant = "CONSTANT", Do = "DO", Else = "ELSE",
-            Elsif = "ELSIF", EndCase = "END_CASE", EndConfiguration = "END_CONFIGURATION",
-            EndFor = "END_FOR", EndFunction = "END_FUNCTION", EndFunctionBlock = "END_FUNCTION_BLOCK",
-            EndIf = "END_IF", EndProgram = "END_PROGRAM", EndRepeat = "END_REPEAT",
-            EndResource = "END_RESOURCE", EndStruct = "END_STRUCT", EndType = "END_TYPE",
+            Elsif = "ELSIF", EndCase = "END_CASE", EndClass = "END_CLASS",
+            EndConfiguration = "END_CONFIGURATION", EndFor = "END_FOR", EndFunction = "END_FUNCTION",
+            EndFunctionBlock = "END_FUNCTION_BLOCK", EndGet = "END_GET", EndIf = "END_IF",
+            EndInterface = "END_INTERFACE", EndMethod = "END_METHOD", EndProgram = "END_PROGRAM",
+            EndProperty = "END_PROPERTY", EndRepeat = "END_REPEAT", EndResource = "END_RESOURCE",
+            EndSet = "END_SET", EndStruct = "END_STRUCT", EndType = "END_TYPE",
             EndVar = "END_VAR", EndWhile = "END_WHILE", Exit = "EXIT", False = "FALSE", For = "FOR",
             Function = "FUNCTION", FunctionBlock = "FUNCTION_BLOCK", If = "IF", Mod = "MOD",
             NonRetain = "NON_RETAIN", Not = "NOT", Of = "OF", On = "ON", Or = "OR",
@@ -108,7 +110,7 @@ macro_rules! keywords {
             Return = "RETURN", Struct = "STRUCT", Task = "TASK", Then = "THEN", To = "TO",
             True = "TRUE", Type = "TYPE", Until = "UNTIL", Var = "VAR", VarAccess = "VAR_ACCESS",
             VarConfig = "VAR_CONFIG", VarExternal = "VAR_EXTERNAL", VarGlobal = "VAR_GLOBAL",
-            VarInOut = "VAR_IN_OUT", VarInput = "VAR_INPUT", VarOutput = "VAR_OUTPUT",
+            VarInOut = "VAR_IN_OUT", VarInput = "VAR_INPUT", VarInst = "VAR_INST", VarOutput = "VAR_OUTPUT",
             VarTemp = "VAR_TEMP", While = "WHILE", With = "WITH", Xor = "XOR",
         }
     };
@@ -175,7 +177,15 @@ impl TokenKind {
         use TokenKind::*;
         matches!(
             self,
-            Var | VarInput | VarOutput | VarInOut | VarTemp | VarExternal | VarGlobal | VarAccess | VarConfig
+            Var | VarInput
+                | VarOutput
+                | VarInOut
+                | VarInst
+                | VarTemp
+                | VarExternal
+                | VarGlobal
+                | VarAccess
+                | VarConfig
         )
     }
 
@@ -209,7 +219,16 @@ impl TokenKind {
     /// The keyword closes a POU.
     pub const fn closes_pou(self) -> bool {
         use TokenKind::*;
-        matches!(self, EndProgram | EndFunction | EndFunctionBlock)
+        matches!(
+            self,
+            EndProgram | EndFunction | EndFunctionBlock | EndClass | EndInterface
+        )
+    }
+
+    /// The keyword closes a method, a property, or a part of one.
+    pub const fn closes_member(self) -> bool {
+        use TokenKind::*;
+        matches!(self, EndMethod | EndProperty | EndGet | EndSet)
     }
 
     /// The keyword closes anything at all.
@@ -217,6 +236,7 @@ impl TokenKind {
         use TokenKind::*;
         self.closes_block()
             || self.closes_pou()
+            || self.closes_member()
             || matches!(
                 self,
                 EndVar | EndStruct | EndType | EndConfiguration | EndResource

@@ -15,11 +15,11 @@ mod unit;
 
 pub use configuration::{Configuration, ProgramInstance, Resource, Task};
 pub use declarations::{
-    ArrayElement, Declaration, Initializer, InitializerKind, PointerForm, Pou, PouKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    Access, ArrayElement, Declaration, Initializer, InitializerKind, Modifiers, PointerForm, Pou, PouKind,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 pub use literals::{Literal, LiteralKind, Prefixed};
-pub use name::{CaseFolded, Name};
+pub use name::{CaseFolded, Name, own_instance};
 pub use statements::{CaseBranch, CaseLabel, Statement, StatementKind};
 pub use unit::{ExpressionId, SourceUnit};

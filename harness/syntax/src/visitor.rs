@@ -69,7 +69,7 @@ pub enum Place {
 pub struct Context<'t, 's> {
     /// The whole tree.
     pub unit: &'t SourceUnit<'s>,
-    /// The program organization unit; `None` outside of all.
+    /// The program organization unit, the innermost where one is a method; `None` outside of all.
     pub pou: Option<&'t Pou<'s>>,
     /// The section of variables; `None` outside of all.
     pub section: Option<&'t VariableBlock<'s>>,
@@ -228,16 +228,17 @@ struct Walk<'w, 't, 's, V> {
 
 impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
     fn pou(&mut self, pou: &'t Pou<'s>) {
-        self.at.pou = Some(pou);
+        let around = self.at.pou.replace(pou);
         self.visitor.pou(pou, &self.at);
-        self.at.outer = Some(pou.span);
+        let outer = self.at.outer.replace(pou.span);
         if let Some(result) = &pou.result {
             self.specification(result);
         }
         pou.blocks.iter().for_each(|section| self.section(section));
+        pou.members.iter().for_each(|member| self.pou(member));
         self.statements(&pou.body);
-        self.at.outer = None;
-        self.at.pou = None;
+        self.at.outer = outer;
+        self.at.pou = around;
     }
 
     fn type_declaration(&mut self, declared: &'t TypeDeclaration<'s>) {

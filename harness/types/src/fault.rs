@@ -18,11 +18,13 @@ pub enum Fault {
     SubscriptRange,
     /// A value outside the limits of the subrange that was to hold it.
     Subrange,
-    /// A reference or pointer to nothing was followed.
+    /// A reference, pointer or variable of an interface was followed that leads nowhere.
     NullDereference,
     /// A pointer was followed to where no variable lies, or not the whole of what it is to lead to: past the end of a variable, or to one
     /// of a function that has returned.
     InvalidAddress,
+    /// A function or method was called while it was running.
+    Recursion,
     /// The program did not end within the permitted number of steps.
     StepLimit,
     /// Another reason, in the compiler's own words; no case expects it.
@@ -46,6 +48,7 @@ impl Fault {
         Fault::Subrange,
         Fault::NullDereference,
         Fault::InvalidAddress,
+        Fault::Recursion,
         Fault::StepLimit,
     ];
 
@@ -59,6 +62,7 @@ impl Fault {
             Fault::NullDereference => "null-dereference",
             Fault::InvalidAddress => "invalid-address",
             Fault::StepLimit => "step-limit",
+            Fault::Recursion => "recursion",
             Fault::Own(words) => words,
         }
     }
@@ -107,7 +111,7 @@ impl<'de> Deserialize<'de> for Fault {
 /// The error of a word that names none of [`Fault::ALL`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
-    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address` and `step-limit`"
+    "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address`, `recursion` and `step-limit`"
 )]
 pub struct UnknownFault(pub String);
 

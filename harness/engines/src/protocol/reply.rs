@@ -87,9 +87,9 @@ pub struct RejectedReply {
 pub struct FaultedReply {
     /// The request's id.
     pub id: u64,
-    /// The kind of the fault: `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address` or `step-limit`, which cases expect, or the compiler's
+    /// The kind of the fault: `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address`, `recursion` or `step-limit`, which cases expect, or the compiler's
     /// own words for any other.
-    #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "null-dereference", "invalid-address", "step-limit"])))]
+    #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "null-dereference", "invalid-address", "recursion", "step-limit"])))]
     pub fault: String,
     /// The line, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -13,7 +13,7 @@ impl PageSource<'_> {
     pub(super) fn write_block(&self, xml: &mut Xml, block: &VariableBlock<'_>) -> io::Result<()> {
         let name = match block.kind {
             VariableKind::Local => "localVars",
-            VariableKind::Temporary => "tempVars",
+            VariableKind::Temporary | VariableKind::Instance => "tempVars",
             VariableKind::Input => "inputVars",
             VariableKind::Output => "outputVars",
             VariableKind::InOut => "inOutVars",

@@ -95,6 +95,9 @@ impl<'t> Reader<'t> {
     }
 
     fn pou(&mut self, pou: &'t tree::Pou<'t>) -> Option<()> {
+        if pou.is_object() {
+            return None;
+        }
         self.variables.clear();
         self.function = None;
         for block in &pou.blocks {

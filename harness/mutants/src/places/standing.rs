@@ -212,7 +212,7 @@ impl<'u> PlaceFinder<'_, 'u> {
             [] => at.pou.map(|pou| match pou.kind {
                 PouKind::Program => "program",
                 PouKind::Function => "function",
-                PouKind::FunctionBlock => "function-block",
+                _ => "function-block",
             }),
             [.., _, _, _] => Some("nested"),
             [.., innermost] => Some(*innermost),

@@ -22,6 +22,8 @@ pub struct Machine<'p> {
     pub(super) operands: Vec<u64>,
     pub(super) texts: Vec<Text<'p>>,
     frames: Vec<CallFrame>,
+    /// The routines that are being executed, where the program chooses methods as it runs.
+    active: Vec<bool>,
     /// The next instruction.
     next: Label,
     /// The first instruction whose step has not been counted yet: steps are counted where control jumps.
@@ -35,6 +37,8 @@ pub struct Machine<'p> {
 struct CallFrame {
     this: Address,
     next: Label,
+    /// The routine that has been called.
+    routine: RoutineId,
 }
 
 impl<'p> Machine<'p> {
@@ -47,6 +51,7 @@ impl<'p> Machine<'p> {
             operands: Vec::with_capacity(16),
             texts: Vec::new(),
             frames: Vec::new(),
+            active: Vec::new(),
             next: 0,
             uncounted: 0,
             this: 0,
@@ -96,6 +101,9 @@ impl<'p> Machine<'p> {
         self.operands.clear();
         self.texts.clear();
         self.frames.clear();
+        if !self.program.methods.is_empty() {
+            self.active = vec![false; self.program.routines.len()];
+        }
         self.this = 0;
         self.enter(routine)
             .and_then(|()| self.execute())
@@ -107,7 +115,14 @@ impl<'p> Machine<'p> {
         let at = self.next.saturating_sub(1);
         match halt {
             Halt::Fault(kind) => {
-                let line = self.program.lines.get(at as usize).copied().unwrap_or(0);
+                // A routine that only leads to a method has no line of its own; the call has.
+                let calls = self.frames.iter().rev().map(|frame| frame.next.saturating_sub(1));
+                let mut places = std::iter::once(at).chain(calls);
+                let line = places.find_map(|at| {
+                    let line = self.program.lines.get(at as usize).copied();
+                    line.filter(|line| *line > 0)
+                });
+                let line = line.unwrap_or(0);
                 Stop::Fault(RaisedFault { kind, line })
             }
             Halt::Missing(what) => Stop::Inconsistent(Inconsistency { what, at }),
@@ -262,17 +277,27 @@ impl<'p> Machine<'p> {
                     }
                 }
                 Instruction::Call(routine) => {
-                    self.push_frame()?;
+                    self.push_frame(routine)?;
                     self.enter(routine)?;
                 }
                 Instruction::CallInstance(routine) => {
                     let this = self.pop_address()?;
-                    self.push_frame()?;
+                    self.push_frame(routine)?;
+                    self.this = this;
+                    self.enter(routine)?;
+                }
+                Instruction::CallMethod(method) => {
+                    let this = self.pop_address()?;
+                    let routine = self.find_method(this, method)?;
+                    self.push_frame(routine)?;
                     self.this = this;
                     self.enter(routine)?;
                 }
                 Instruction::Return => match self.frames.pop() {
                     Some(frame) => {
+                        if let Some(active) = self.active.get_mut(frame.routine as usize) {
+                            *active = false;
+                        }
                         self.go_to(frame.next)?;
                         self.this = frame.this;
                     }
@@ -323,14 +348,36 @@ impl<'p> Machine<'p> {
         self.go_to(label)
     }
 
-    /// Recursion is rejected, so no more frames than routines can be open.
-    fn push_frame(&mut self) -> Result<(), Halt> {
+    /// Finds the method of an instance, in its type or in those that the type extends.
+    fn find_method(&mut self, this: Address, method: u32) -> Result<RoutineId, Halt> {
+        let mut ty = match this {
+            0 => 0,
+            _ => self.memory.load(this)? as u32,
+        };
+        while ty != 0 {
+            if let Some(routine) = self.program.methods.get(&(ty, method)) {
+                return Ok(*routine);
+            }
+            self.spend(1)?;
+            ty = self.program.bases.get(&ty).copied().unwrap_or(0);
+        }
+        Err(FaultKind::NullDereference.into())
+    }
+
+    /// Recursion is rejected, so no more frames than routines can be open. Where methods are chosen as the program runs, it is a fault.
+    fn push_frame(&mut self, routine: RoutineId) -> Result<(), Halt> {
+        if let Some(active) = self.active.get_mut(routine as usize)
+            && std::mem::replace(active, true)
+        {
+            return Err(FaultKind::Recursion.into());
+        }
         if self.frames.len() > self.program.routines.len() {
             return Err(Halt::Missing("end to its calls"));
         }
         self.frames.push(CallFrame {
             this: self.this,
             next: self.next,
+            routine,
         });
         Ok(())
     }

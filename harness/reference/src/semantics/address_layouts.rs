@@ -58,7 +58,7 @@ impl Lowering<'_> {
             TypeKind::Elementary(ty) => self.plain(*ty),
             TypeKind::Subrange(subrange) => self.plain(subrange.base),
             TypeKind::Enumeration(_) => self.plain(ElementaryType::Int),
-            TypeKind::Pointer(_) => self.plain(ElementaryType::Lword),
+            TypeKind::Pointer(_) | TypeKind::Interface(_) => self.plain(ElementaryType::Lword),
             TypeKind::Text { ty, capacity } => {
                 let align = 1 + u32::from(*ty == ElementaryType::Wstring);
                 Layout {
@@ -102,11 +102,16 @@ impl Lowering<'_> {
     }
 
     /// Lays members out one behind the other, each at a multiple of its alignment, with at least a gap between them. A VAR_IN_OUT, which
-    /// holds no value of its own, is left out.
+    /// holds no value of its own, is left out. Those of what is extended come first.
     fn members(&mut self, structure: &Structure, gap: u32) -> Layout {
         let (mut end, mut align, mut cells) = (0_u32, 1, 0);
         let mut members = Vec::new();
-        for (_, member) in structure.members.iter() {
+        let types = &self.model.types;
+        let mut levels = vec![structure];
+        while let Some(base) = levels.last().and_then(|level| types.structure(level.base?)) {
+            levels.push(base);
+        }
+        for (_, member) in levels.iter().rev().flat_map(|level| level.members.iter()) {
             cells = member.offset.saturating_add(1);
             if member.kind == VariableKind::InOut {
                 continue;

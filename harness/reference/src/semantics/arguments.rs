@@ -9,7 +9,7 @@ use super::parameters::mixed;
 use rustc_hash::FxHashSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, Name, VariableKind};
+use stickler_syntax::tree::{Argument, ExpressionId, Name, PouKind, VariableKind};
 use stickler_types::Code;
 
 /// The arguments of a call with the parameters that they are for.
@@ -44,6 +44,9 @@ impl<'m> Lowering<'m> {
         call: Span,
     ) -> Option<BoundArguments> {
         let entry = &self.model.pous[pou as usize];
+        let levels = self.model.levels(pou);
+        let parameters = || levels.iter().flat_map(|level| &level.parameters).copied();
+        let needed = levels.iter().map(|level| level.parameters.len()).sum();
         let positional: Vec<_> = arguments
             .iter()
             .filter_map(|argument| match argument {
@@ -58,14 +61,15 @@ impl<'m> Lowering<'m> {
             self.refuse(mixed(call), arguments);
             return None;
         }
-        let by_position = !positional.is_empty() || (entry.is_function() && arguments.is_empty());
-        if by_position && positional.len() != entry.parameters.len() {
+        let is_plain = entry.pou.kind == PouKind::Function;
+        let by_position = !positional.is_empty() || (is_plain && arguments.is_empty());
+        if by_position && positional.len() != needed {
             let code = if entry.is_function() {
                 Code::FunctionCallWrongArgCount
             } else {
                 Code::FunctionInvocationRequiresFormal
             };
-            let (name, needed) = (entry.pou.name.text, entry.parameters.len());
+            let name = entry.pou.name.text;
             let message = format!(
                 "`{name}` takes {needed} arguments by position, not {}",
                 positional.len()
@@ -74,12 +78,10 @@ impl<'m> Lowering<'m> {
             return None;
         }
         let mut bound = BoundArguments::default();
-        bound
-            .inputs
-            .extend(entry.parameters.iter().copied().zip(positional));
+        bound.inputs.extend(parameters().zip(positional));
         self.bind_names(entry, arguments, &mut bound);
         if !by_position {
-            self.find_omitted(entry, call, &mut bound);
+            self.find_omitted(&levels, needed, call, &mut bound);
         }
         Some(bound)
     }
@@ -120,7 +122,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn parameter(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
-        let found = entry.scope.get(&CaseFolded(name.text)).copied().filter(|&index| {
+        let found = self.local(entry, name.text).filter(|&index| {
             matches!(
                 self.model.variable(index).kind,
                 VariableKind::Input | VariableKind::InOut
@@ -135,7 +137,7 @@ impl<'m> Lowering<'m> {
     }
 
     fn output(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
-        let found = entry.scope.get(&CaseFolded(name.text)).copied().filter(|&index| {
+        let found = self.local(entry, name.text).filter(|&index| {
             self.model.variable(index).kind == VariableKind::Output && entry.result != Some(index)
         });
         let Some(output) = found else {
@@ -162,17 +164,24 @@ impl<'m> Lowering<'m> {
 
     /// Notes whether inputs are left out, and says so of VAR_IN_OUT: of the first only, lest each of many calls
     /// be held against each of many parameters.
-    fn find_omitted(&mut self, entry: &PouEntry<'_>, call: Span, bound: &mut BoundArguments) {
-        if bound.inputs.len() == entry.parameters.len() {
+    fn find_omitted(
+        &mut self,
+        levels: &[&PouEntry<'_>],
+        needed: usize,
+        call: Span,
+        bound: &mut BoundArguments,
+    ) {
+        if bound.inputs.len() == needed {
             return;
         }
         bound.omitted = true;
         let given: FxHashSet<_> = bound.inputs.iter().map(|&(parameter, _)| parameter).collect();
-        let missing = entry.in_outs.iter().find(|parameter| !given.contains(parameter));
+        let mut in_outs = levels.iter().flat_map(|level| &level.in_outs);
+        let missing = in_outs.find(|parameter| !given.contains(parameter));
         let Some(&missing) = missing.filter(|_| !bound.unknown) else {
             return;
         };
-        let code = if entry.is_function() {
+        let code = if levels.iter().any(|level| level.is_function()) {
             Code::FunctionCallWrongArgCount
         } else {
             Code::FunctionInvocationMissingInput

@@ -2,6 +2,7 @@
 
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
+use super::methods::Receiver;
 use super::model::TopLevelName;
 use super::pointers::{AddressFunction, NOT_IN_DIALECT};
 use super::standard_signatures::{StandardSignature, standard_function};
@@ -20,6 +21,8 @@ pub(super) enum Callee {
     Block(u32),
     /// A function of the text.
     Function(u32),
+    /// A method and the instance of which it is called.
+    Method(Receiver, u32),
     /// A standard function.
     Standard(&'static StandardSignature),
     /// A type conversion function.
@@ -48,14 +51,23 @@ impl<'m> Lowering<'m> {
     /// Basis: conformance-cases/README.md (where acceptance is open the reference accepts).
     pub(super) fn callee(&mut self, id: ExpressionId) -> Callee {
         let ExpressionKind::Name(name) = self.expression(id).kind else {
+            if let Some(method) = self.called_method(id) {
+                return method;
+            }
             return match self.infer(id) {
+                Inferred::Error if self.lacks_method(id) => {
+                    Callee::Nothing(Code::MethodNotFound, "is no method that can be called")
+                }
                 Inferred::Error => Callee::Silent,
                 Inferred::Known(ty) => self.block_or_not(ty),
                 _ => Callee::Nothing(Code::FunctionBlockNotInScope, "is no function block"),
             };
         };
         let Some((_, variable)) = self.variable(name.text) else {
-            return self.named_callee(name);
+            if let Some(own) = self.own_instance_of(id) {
+                return self.block_or_not(self.model.pous[own.pou as usize].ty);
+            }
+            return self.called_method(id).unwrap_or_else(|| self.named_callee(name));
         };
         // Only a function block is called by a variable's name, so any other variable hides no function, neither
         // a function's result nor `max` in `max := MAX(max, n)`.
@@ -68,7 +80,13 @@ impl<'m> Lowering<'m> {
 
     fn block_or_not(&self, ty: TypeId) -> Callee {
         match self.model.types.kind(ty) {
-            TypeKind::FunctionBlock(block) => Callee::Block(block.pou),
+            TypeKind::FunctionBlock(block) => match self.model.pous[block.pou as usize].pou.kind {
+                PouKind::Class => Callee::Nothing(
+                    Code::FunctionBlockNotInScope,
+                    "is an instance of a class, which has methods, but no body that could be called",
+                ),
+                _ => Callee::Block(block.pou),
+            },
             TypeKind::Error => Callee::Silent,
             _ => Callee::Nothing(
                 Code::FunctionBlockNotInScope,
@@ -77,17 +95,31 @@ impl<'m> Lowering<'m> {
         }
     }
 
+    /// Returns whether an expression names a method that a function block, class or interface does not have.
+    fn lacks_method(&mut self, id: ExpressionId) -> bool {
+        let ExpressionKind::Field { base, .. } = self.expression(id).kind else {
+            return false;
+        };
+        match self.infer(base) {
+            Inferred::Known(ty) => matches!(
+                self.model.types.kind(ty),
+                TypeKind::FunctionBlock(_) | TypeKind::Interface(_)
+            ),
+            _ => false,
+        }
+    }
+
     fn named_callee(&self, name: Name<'_>) -> Callee {
         match self.model.definitions.get(&CaseFolded(name.text)) {
             Some(&TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].pou.kind {
                 PouKind::Function => return Callee::Function(pou),
-                PouKind::FunctionBlock => {
+                PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => {
                     return Callee::Nothing(
                         Code::FunctionBlockNotInScope,
                         "is a type of function block; what is called is a variable of that type",
                     );
                 }
-                PouKind::Program => {
+                _ => {
                     return Callee::Nothing(Code::FunctionCallUndeclared, "is a program, no function");
                 }
             },
@@ -131,6 +163,9 @@ impl<'m> Lowering<'m> {
             Callee::Function(pou) => self
                 .result_type(pou)
                 .map_or(Inferred::Nothing, |ty| self.inferred_of(ty)),
+            Callee::Method(_, method) => self
+                .result_type(method)
+                .map_or(Inferred::Error, |ty| self.inferred_of(ty)),
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
             Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
             Callee::Concatenation(concatenation) => Inferred::from(concatenation.result),
@@ -142,12 +177,12 @@ impl<'m> Lowering<'m> {
     /// Returns the type with which a function of the text declares its result; `None` where what is called is none, or gives nothing.
     pub(super) fn declared_result(&mut self, callee: ExpressionId) -> Option<TypeId> {
         match self.callee(callee) {
-            Callee::Function(pou) => self.result_type(pou),
+            Callee::Function(pou) | Callee::Method(_, pou) => self.result_type(pou),
             _ => None,
         }
     }
 
-    fn result_type(&self, pou: u32) -> Option<TypeId> {
+    pub(super) fn result_type(&self, pou: u32) -> Option<TypeId> {
         let result = self.model.pous[pou as usize].result?;
         Some(self.model.variable(result).ty)
     }
@@ -182,6 +217,7 @@ impl<'m> Lowering<'m> {
                 LoweredValue::ERROR
             }
             Callee::Function(pou) => self.call_function(span, pou, arguments, true),
+            Callee::Method(receiver, method) => self.call_member(span, receiver, method, arguments, true),
             Callee::Standard(standard) => self.call_standard(id, standard, arguments, wanted),
             Callee::Conversion(conversion) => self.call_conversion(span, &conversion, arguments, wanted),
             Callee::Concatenation(concatenation) => self.call_concatenation(span, concatenation, arguments),
@@ -220,6 +256,9 @@ impl<'m> Lowering<'m> {
             Callee::Block(pou) => self.call_block(span, callee, pou, arguments),
             Callee::Function(pou) => {
                 self.call_function(span, pou, arguments, false);
+            }
+            Callee::Method(receiver, method) => {
+                self.call_member(span, receiver, method, arguments, false);
             }
             _ => {
                 let value = self.call_found((id, callee), found, arguments, None);

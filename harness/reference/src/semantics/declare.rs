@@ -84,6 +84,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         passed_over: FxHashSet::default(),
         instances: Vec::new(),
         routines: 0,
+        has_members: false,
     };
     let mut declarer = Declarer {
         model,
@@ -105,6 +106,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
     declarer.declare_other_pous();
     declarer.resolve_globals();
     declarer.resolve_deferred();
+    declarer.link_members();
     declarer.choose_instances();
     let memory = declarer.lay_out();
     declarer.model.declared_types = declarer
@@ -129,19 +131,31 @@ impl<'u> Declarer<'u, '_> {
                 }
             }
         }
+        self.number_types();
     }
 
     fn collect_pou(&mut self, pou: &'u Pou<'u>) {
         let index = self.model.pous.len();
-        let body = self.routine();
-        let initial = self.routine();
-        let node = (pou.kind == PouKind::FunctionBlock).then(|| {
+        let is_type = matches!(
+            pou.kind,
+            PouKind::FunctionBlock | PouKind::Class | PouKind::Interface
+        );
+        let node = is_type.then(|| {
             self.nodes.push(TypeNode {
                 declared: DeclaredNode::Block(index),
                 id: None,
             });
             self.nodes.len() - 1
         });
+        self.add_pou(pou, node, None);
+        self.define(pou.name, TopLevelName::Pou(saturating_u32(index)), Some(pou.kind));
+        self.collect_members(index);
+    }
+
+    /// Adds a POU, a member of another one among them.
+    pub(super) fn add_pou(&mut self, pou: &'u Pou<'u>, node: Option<usize>, owner: Option<u32>) -> u32 {
+        let body = self.routine();
+        let initial = self.routine();
         self.model.pous.push(PouEntry {
             pou,
             node,
@@ -155,8 +169,17 @@ impl<'u> Declarer<'u, '_> {
             body,
             initial,
             cleared: 0..0,
+            owner,
+            base: None,
+            interfaces: Vec::new(),
+            ancestors: 0,
+            members: Scope::default(),
+            has_type_number: false,
+            dispatch: None,
+            is_overridden: false,
+            is_frame: false,
         });
-        self.define(pou.name, TopLevelName::Pou(saturating_u32(index)), Some(pou.kind));
+        saturating_u32(self.model.pous.len() - 1)
     }
 
     fn collect_type(&mut self, ty: &'u TypeDeclaration<'u>) {
@@ -216,7 +239,7 @@ impl<'u> Declarer<'u, '_> {
     /// Functions and programs, whose variables no type contains.
     fn declare_other_pous(&mut self) {
         for index in 0..self.model.pous.len() {
-            if self.model.pous[index].pou.kind != PouKind::FunctionBlock {
+            if self.model.pous[index].node.is_none() {
                 self.declare_variables(index);
             }
         }

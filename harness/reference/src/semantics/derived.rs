@@ -52,7 +52,7 @@ impl Lowering<'_> {
             ExpressionKind::Name(name) => Some(self.variable(name.text)?.1.ty),
             ExpressionKind::Field { base, field } => {
                 let ty = self.known_type(base)?;
-                Some(self.model.types.kind(ty).element(field.text)?.ty)
+                Some(self.model.types.element(ty, field.text)?.ty)
             }
             ExpressionKind::Index { base, .. } => {
                 let ty = self.known_type(base)?;

@@ -62,7 +62,7 @@ impl<'m> Lowering<'m> {
 
     fn can_be_controlled(&self, callee: Callee) -> bool {
         match callee {
-            Callee::Block(pou) | Callee::Function(pou) => {
+            Callee::Block(pou) | Callee::Function(pou) | Callee::Method(_, pou) => {
                 let entry = &self.model.pous[pou as usize];
                 let declares = |name| entry.scope.contains_key(&CaseFolded(name));
                 let gives_many = entry

@@ -106,8 +106,9 @@ impl<'m> Lowering<'m> {
         if value.ty == to {
             return value;
         }
-        if value.ty != TypeId::ERROR && self.model.types.pointer(to).is_some() {
-            // An address is a number, and integers are kept with their sign in all 64 bits.
+        let is_interface = || matches!(self.model.types.kind(to), TypeKind::Interface(_));
+        if value.ty != TypeId::ERROR && (self.model.types.pointer(to).is_some() || is_interface()) {
+            // An address is a number, and integers are kept with their sign in all 64 bits; that of an instance is a value of the interface.
             return LoweredValue::computed(to);
         }
         let dialect = self.model.source.dialect;

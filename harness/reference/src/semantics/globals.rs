@@ -65,6 +65,7 @@ impl<'u> Declarer<'u, '_> {
             ty: TypeId::ERROR,
             kind: VariableKind::Global,
             constant: block.constant,
+            is_public: false,
             storage: Storage::Absolute(0),
             initializer: group.initializer.as_ref(),
             repeated: group.names.first().is_none_or(|first| first.span != name.span),

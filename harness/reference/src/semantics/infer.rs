@@ -50,9 +50,9 @@ impl<'m> Lowering<'m> {
     fn infer_leaf(&mut self, id: ExpressionId) -> Inferred {
         match &self.expression(id).kind {
             ExpressionKind::Literal(literal) => self.infer_literal(literal, false),
-            ExpressionKind::Name(name) => self.infer_name(*name),
+            ExpressionKind::Name(name) => self.infer_name(id, *name),
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
-            ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
+            ExpressionKind::Field { base, field } => self.infer_field(id, *base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
             ExpressionKind::Dereference { base } => self.infer_dereference(*base),
             ExpressionKind::Bit { base, .. } => self.infer_part(*base, ElementaryType::Bool),
@@ -73,7 +73,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_name(&self, name: Name<'m>) -> Inferred {
+    fn infer_name(&mut self, id: ExpressionId, name: Name<'m>) -> Inferred {
         if let Some((_, variable)) = self.variable(name.text) {
             return match &variable.value {
                 Constant::Known(value) => Inferred::from(value.ty()),
@@ -84,15 +84,20 @@ impl<'m> Lowering<'m> {
             Some(EnumeratedName::One(ty, _)) => Inferred::Known(ty),
             Some(EnumeratedName::Several) => Inferred::Enumerated,
             None if self.is_null(name.text) => Inferred::Known(TypeId::ADDRESS),
-            None => Inferred::Error,
+            None => match self.own_instance_of(id) {
+                Some(own) => self.inferred_of(self.model.pous[own.pou as usize].ty),
+                None => self.infer_property(id),
+            },
         }
     }
 
     /// Finds the enumerated value of a name: one that is declared with a variable of the POU, or else of a type.
     pub(super) fn enumerated_name(&self, name: &str) -> Option<EnumeratedName> {
-        let local = self
-            .entry()
-            .and_then(|entry| entry.enumerated.get(&CaseFolded(name)));
+        let entry = self.entry();
+        let owner = entry.and_then(|entry| entry.owner);
+        let owner = owner.map(|owner| &self.model.pous[owner as usize]);
+        let mut scopes = entry.into_iter().chain(owner);
+        let local = scopes.find_map(|entry| entry.enumerated.get(&CaseFolded(name)));
         local
             .or_else(|| self.model.enumerated.get(&CaseFolded(name)))
             .copied()
@@ -118,13 +123,17 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_field(&mut self, base: ExpressionId, field: Name<'m>) -> Inferred {
+    fn infer_field(&mut self, id: ExpressionId, base: ExpressionId, field: Name<'m>) -> Inferred {
         let Inferred::Known(ty) = self.infer(base) else {
             return Inferred::Error;
         };
-        match self.model.types.kind(ty).element(field.text) {
+        let member = match self.own_instance_of(base) {
+            Some(_) => self.model.types.member(ty, field.text),
+            None => self.model.types.element(ty, field.text),
+        };
+        match member {
             Some(member) => self.inferred_of(member.ty),
-            None => Inferred::Error,
+            None => self.infer_property(id),
         }
     }
 

@@ -230,15 +230,15 @@ impl<'m> Lowering<'m> {
     }
 
     fn fields(&mut self, location: Location, ty: TypeId, fields: &'m [(Name<'m>, Initializer<'m>)]) {
-        let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.model.types.kind(ty)
-        else {
+        let Some(structure) = self.model.types.structure(ty) else {
             return;
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let member = structure
-                .members
-                .find(name.text)
+            let member = self
+                .model
+                .types
+                .member(ty, name.text)
                 .filter(|member| !matches!(member.kind, VariableKind::InOut | VariableKind::External));
             let Some(member) = member else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
@@ -265,6 +265,9 @@ impl<'m> Lowering<'m> {
                 let TypeKind::Structure(structure) = model.types.kind(ty) else {
                     return;
                 };
+                if let Some(base) = structure.base {
+                    self.default_value(start, base);
+                }
                 for group in groups {
                     for (index, name) in group.names.iter().enumerate() {
                         let Some(member) = structure.members.find(name.text) else {

@@ -9,9 +9,10 @@ use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
+use super::methods::Entrance;
 use super::model::{DeclaredVariable, Storage};
 use super::trace::UseKind;
-use super::types::TypeId;
+use super::types::{TypeId, TypeKind};
 use crate::instruction::Instruction;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
@@ -31,6 +32,18 @@ impl<'m> Lowering<'m> {
         used: bool,
     ) -> LoweredValue {
         self.note_call(pou, span);
+        self.call_entered(span, pou, Entrance::Function, arguments, used)
+    }
+
+    /// Calls a function or a method, its instance having been found.
+    pub(super) fn call_entered(
+        &mut self,
+        span: Span,
+        pou: u32,
+        entrance: Entrance,
+        arguments: &[Argument<'m>],
+        used: bool,
+    ) -> LoweredValue {
         let entry = &self.model.pous[pou as usize];
         let result = entry.result.map(|result| self.model.variable(result));
         let value = match result {
@@ -45,7 +58,7 @@ impl<'m> Lowering<'m> {
             self.emit(Instruction::Call(entry.initial));
         }
         self.finish_passing(places, span);
-        self.emit(Instruction::Call(entry.body));
+        self.emit_entrance(span, pou, entrance);
         if let (Some(result), true) = (result, used) {
             self.take_result(result, span);
         }
@@ -96,7 +109,11 @@ impl<'m> Lowering<'m> {
     }
 
     /// Returns where a variable of the callee lies for the caller; of a VAR_IN_OUT, the cell for the address.
-    fn outside(&mut self, variable: &DeclaredVariable<'_>, instance: Option<Location>) -> VariablePlace {
+    pub(super) fn outside(
+        &mut self,
+        variable: &DeclaredVariable<'_>,
+        instance: Option<Location>,
+    ) -> VariablePlace {
         let (location, ty) = match (variable.storage, instance) {
             (Storage::Instance(offset), Some(base)) => (self.shifted(base, offset), variable.ty),
             (Storage::InstancePointer(cell), Some(base)) => (self.shifted(base, cell), ADDRESS),
@@ -162,7 +179,7 @@ impl<'m> Lowering<'m> {
         // Each text variable keeps to its own length, so that only the kind of text matters.
         let same = match texts {
             true => types.value_type(ty) == types.value_type(place.ty),
-            false => types.root(ty) == types.root(place.ty),
+            false => types.root(ty) == types.root(place.ty) || self.is_derived_block(place.ty, ty),
         };
         if !same && ty != TypeId::ERROR {
             let (needed, given) = (types.name(ty), types.name(place.ty));
@@ -177,6 +194,12 @@ impl<'m> Lowering<'m> {
         }
         let place = self.located(place);
         self.push_address(place.location);
+    }
+
+    /// Returns whether a type is that of a function block or class, and another one extends it.
+    fn is_derived_block(&self, ty: TypeId, base: TypeId) -> bool {
+        let types = &self.model.types;
+        matches!(types.kind(base), TypeKind::FunctionBlock(_)) && types.derives(ty, types.root(base))
     }
 
     /// Returns whether an expression has the form of a variable, and is no enumerated value.

@@ -23,6 +23,10 @@ impl Declarer<'_, '_> {
     }
 
     fn place_all(&mut self, memory: &mut MemoryLayout) -> Result<(), Span> {
+        // The address 0 is that of no instance.
+        if self.model.has_members {
+            memory.cell();
+        }
         for index in 0..self.model.variables.len() {
             if self.model.variables[index].kind == VariableKind::Global {
                 self.place_variable(saturating_u32(index), memory)?;

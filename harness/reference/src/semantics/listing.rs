@@ -48,13 +48,16 @@ impl PathListing<'_> {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
                 self.members(structure, &path)
             }
-            TypeKind::Pointer(_) | TypeKind::Alias | TypeKind::Error => {}
+            TypeKind::Pointer(_) | TypeKind::Alias | TypeKind::Interface(_) | TypeKind::Error => {}
         }
     }
 
     fn members(&mut self, structure: &Structure, path: &str) {
+        if let Some(base) = structure.base.and_then(|base| self.types.structure(base)) {
+            self.members(base, path);
+        }
         for (name, member) in structure.members.iter() {
-            if member.kind != VariableKind::InOut {
+            if !matches!(member.kind, VariableKind::InOut | VariableKind::Instance) {
                 let dot = if path.is_empty() { "" } else { "." };
                 self.value(member.ty, format!("{path}{dot}{name}"));
             }

@@ -211,7 +211,7 @@ impl Lowering<'_> {
             return self.store_part(place, part, of, span);
         }
         match (self.cells(place.ty), place.location) {
-            (CellKind::Many(size), _) => self.emit(Instruction::Copy(size)),
+            (CellKind::Many(size), _) => self.copy(place.ty, size),
             (CellKind::Text, location) => {
                 self.push_address(location);
                 self.emit(Instruction::StoreText);
@@ -219,6 +219,21 @@ impl Lowering<'_> {
             (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
             (CellKind::Plain, _) => self.emit(Instruction::StoreIndirect),
         }
+    }
+
+    /// Copies an aggregate. A function block keeps the number of its own type.
+    fn copy(&mut self, ty: TypeId, size: u32) {
+        let numbered = match self.model.types.kind(ty) {
+            TypeKind::FunctionBlock(block) => self.model.pous[block.pou as usize].has_type_number,
+            _ => false,
+        };
+        if numbered {
+            for _ in 0..2 {
+                self.offset(1);
+                self.emit(Instruction::Swap);
+            }
+        }
+        self.emit(Instruction::Copy(size - u32::from(numbered)));
     }
 
     /// Stores the value on the stack, nothing having been said of the place before; the limits of a subrange

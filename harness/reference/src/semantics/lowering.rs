@@ -150,14 +150,33 @@ impl<'m> Lowering<'m> {
     /// Finds the variable of a name: one of the POU, or else a global one. In an initial value those of its own scope
     /// that are declared later do not count.
     pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m DeclaredVariable<'m>)> {
-        let local = self.entry().and_then(|entry| entry.scope.get(&CaseFolded(name)));
+        let local = self.entry().and_then(|entry| self.local(entry, name));
         let limited = local.is_some() || self.pou.is_none();
-        let index = *local.or_else(|| self.model.globals.get(&CaseFolded(name)))?;
+        let index = local.or_else(|| self.model.globals.get(&CaseFolded(name)).copied())?;
         let variable = &self.model.variables[index as usize];
         let external = variable.kind == VariableKind::External;
         let later = limited && index >= self.visible && !external;
         let away = self.constants_only && local.is_some() && !external && !variable.value.is_known();
         (!later && !away).then_some((index, variable))
+    }
+
+    /// Finds the variable of a name in a POU, of a method also in its block, and in those that the block extends. A method knows no
+    /// VAR_TEMP of its block.
+    ///
+    /// Basis: codesys-pages: _cds_obj_method.
+    pub(super) fn local(&self, entry: &PouEntry<'_>, name: &str) -> Option<u32> {
+        let mut scope = Some(entry);
+        let mut around = entry.owner.or(entry.base);
+        while let Some(inner) = scope {
+            if let Some(&index) = inner.scope.get(&CaseFolded(name)) {
+                let kind = self.model.variable(index).kind;
+                let is_hidden = inner.owner.is_none() && kind == VariableKind::Temporary;
+                return Some(index).filter(|_| std::ptr::eq(inner, entry) || !is_hidden);
+            }
+            scope = around.map(|around| &self.model.pous[around as usize]);
+            around = scope.and_then(|scope| scope.base);
+        }
+        None
     }
 
     /// Takes a plain cell for what must be kept while other code runs. Recursion is forbidden, so it

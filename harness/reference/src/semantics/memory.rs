@@ -66,6 +66,9 @@ fn collect_texts(types: &TypeTable, ty: TypeId, address: u32, texts: &mut Vec<Te
             }
         }
         TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => {
+            if let Some(base) = structure.base {
+                collect_texts(types, base, address, texts);
+            }
             for (_, member) in structure.members.iter() {
                 if member.kind != VariableKind::InOut {
                     collect_texts(types, member.ty, address + member.offset, texts);

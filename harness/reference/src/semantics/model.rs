@@ -9,7 +9,8 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup, VariableKind,
+    CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup,
+    VariableKind,
 };
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
@@ -70,6 +71,8 @@ pub(super) struct Model<'u> {
     pub(super) instances: Vec<Instance<'u>>,
     /// The number of routines that have been given out.
     pub(super) routines: RoutineId,
+    /// Whether any POU has methods or properties.
+    pub(super) has_members: bool,
 }
 
 /// The meaning of a name at the top level.
@@ -108,12 +111,63 @@ pub(super) struct PouEntry<'u> {
     pub(super) initial: RoutineId,
     /// The cells that a function clears at each call.
     pub(super) cleared: Range<u32>,
+    /// The POU that a method or a part of a property is a member of.
+    pub(super) owner: Option<u32>,
+    /// The function block or class that it extends.
+    pub(super) base: Option<u32>,
+    /// The interfaces that it implements; those that an interface extends.
+    pub(super) interfaces: Vec<u32>,
+    /// The number of types above it.
+    pub(super) ancestors: u32,
+    /// Its own methods and properties.
+    pub(super) members: Scope<'u, Member>,
+    /// Whether the first cell of an instance holds the number of its type, by which its methods are found.
+    pub(super) has_type_number: bool,
+    /// How a member is called where only the running program knows which one is meant.
+    pub(super) dispatch: Option<Dispatch>,
+    /// Whether a member has another one in a derived block.
+    pub(super) is_overridden: bool,
+    /// Whether the POU is only the frame of a [`Dispatch`].
+    pub(super) is_frame: bool,
+}
+
+/// A method or a property: the indices of its parts among [`Model::pous`].
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Member {
+    /// A method.
+    pub(super) method: Option<u32>,
+    /// GET of a property.
+    pub(super) getter: Option<u32>,
+    /// SET of a property.
+    pub(super) setter: Option<u32>,
+}
+
+impl Member {
+    /// The parts of the member, each at its place.
+    pub(super) fn parts(self) -> [Option<u32>; 3] {
+        [self.method, self.getter, self.setter]
+    }
+}
+
+/// How members that stand for each other are called.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Dispatch {
+    /// The member without a body through whose variables arguments and results are passed.
+    pub(super) frame: u32,
+    /// The routine that passes them to and from the member's own.
+    pub(super) routine: RoutineId,
 }
 
 impl PouEntry<'_> {
-    /// Returns whether the POU is a function, whose variables lie in a frame of its own.
+    /// Returns whether a member has statements, be they none: it is not ABSTRACT, and of no interface.
+    pub(super) fn has_body(&self, model: &Model<'_>) -> bool {
+        let owner = self.owner.map(|owner| model.pous[owner as usize].pou.kind);
+        !self.is_frame && !self.pou.modifiers.is_abstract && owner != Some(PouKind::Interface)
+    }
+
+    /// Returns whether the POU is a function or a member, whose variables lie in a frame of its own.
     pub(super) fn is_function(&self) -> bool {
-        self.pou.kind == PouKind::Function
+        self.pou.kind == PouKind::Function || self.pou.kind.is_member()
     }
 }
 
@@ -128,6 +182,8 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) kind: VariableKind,
     /// Whether the variable is a CONSTANT.
     pub(super) constant: bool,
+    /// Whether it stands in a section that is PUBLIC or INTERNAL.
+    pub(super) is_public: bool,
     /// The location.
     pub(super) storage: Storage,
     /// The initial value.
@@ -191,10 +247,43 @@ pub(super) struct Instance<'u> {
     pub(super) base: u32,
 }
 
-impl Model<'_> {
+impl<'u> Model<'u> {
     /// A variable.
-    pub(super) fn variable(&self, index: u32) -> &DeclaredVariable<'_> {
+    pub(super) fn variable(&self, index: u32) -> &DeclaredVariable<'u> {
         &self.variables[index as usize]
+    }
+
+    /// Finds the method or property of a name in a POU, or in those above it.
+    pub(super) fn member(&self, pou: u32, name: &str) -> Option<Member> {
+        let mut waiting = vec![pou];
+        while let Some(next) = waiting.pop() {
+            let entry = &self.pous[next as usize];
+            if let Some(member) = entry.members.get(&CaseFolded(name)) {
+                return Some(*member);
+            }
+            if entry.pou.kind == PouKind::Interface || entry.pou.modifiers.is_abstract {
+                waiting.extend(&entry.interfaces);
+            }
+            // What is inherited comes before what is only promised.
+            waiting.extend(entry.base);
+        }
+        None
+    }
+
+    /// Returns whether a POU is another one, or extends it.
+    pub(super) fn extends(&self, pou: u32, other: u32) -> bool {
+        let other = &self.pous[other as usize];
+        self.levels(pou).iter().any(|level| std::ptr::eq(*level, other))
+    }
+
+    /// Returns a POU and those that it extends, itself the last.
+    pub(super) fn levels(&self, pou: u32) -> Vec<&PouEntry<'u>> {
+        let mut levels = vec![&self.pous[pou as usize]];
+        while let Some(base) = levels[levels.len() - 1].base {
+            levels.push(&self.pous[base as usize]);
+        }
+        levels.reverse();
+        levels
     }
 
     /// The elementary type that values of a declared type have.

@@ -67,6 +67,7 @@ impl VariableTable {
                         offset,
                         kind,
                         constant: false,
+                        is_public: true,
                     },
                 );
             }
@@ -124,14 +125,8 @@ impl VariableTable {
     }
 
     fn member(&self, ty: TypeId, base: u32, name: &str) -> Option<(TypeId, u32)> {
-        let (TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure)) = self.types.kind(ty)
-        else {
-            return None;
-        };
-        let member = structure
-            .members
-            .find(name)
-            .filter(|member| member.kind != VariableKind::InOut)?;
+        let member = self.types.member(ty, name);
+        let member = member.filter(|member| member.kind != VariableKind::InOut)?;
         Some((member.ty, base + member.offset))
     }
 

@@ -121,12 +121,30 @@ impl TypeRules<'_> {
         }
     }
 
+    /// Returns the types as which a value of an interface is compared with another one, or with the number 0, which is none.
+    ///
+    /// Basis: codesys-pages: _cds_implementing_interface.
+    fn addresses(self, left: Inferred, right: Inferred) -> Option<(TypeId, TypeId)> {
+        let side = |value| match value {
+            Inferred::Known(ty) if matches!(self.types.kind(ty), TypeKind::Interface(_)) => Some((ty, true)),
+            Inferred::Integer(_) => Some((TypeId::of(ElementaryType::Ulint), false)),
+            _ => None,
+        };
+        let ((left, one), (right, other)) = (side(left)?, side(right)?);
+        (one || other).then_some((left, right))
+    }
+
     fn comparison(
         self,
         operator: ComparisonOperator,
         left: Inferred,
         right: Inferred,
     ) -> Option<TypedOperation> {
+        if let Some(sides) = self.addresses(left, right) {
+            let is_equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
+            let action = Action::Compare(operator, ElementaryType::Ulint);
+            return is_equality.then(|| TypedOperation::new(sides, action, TypeId::BOOL));
+        }
         let (left, right) = if left == right {
             (left, right)
         } else {

@@ -56,7 +56,17 @@ impl<'u> Declarer<'u, '_> {
             .map(|&node| self.name_of(&self.nodes[node]))
             .collect();
         names.push(names[0]);
-        let message = format!("a type cannot contain itself: {}", names.join(" contains "));
+        let extends = |node: &usize| match self.nodes[*node].declared {
+            DeclaredNode::Type(ty) => ty.extends.is_some(),
+            DeclaredNode::Block(pou) => !self.model.pous[pou].pou.extends.is_empty(),
+        };
+        let message = match members.iter().any(extends) {
+            true => format!(
+                "a type cannot extend or contain itself: {}",
+                names.join(" needs ")
+            ),
+            false => format!("a type cannot contain itself: {}", names.join(" contains ")),
+        };
         self.report(code, span, message);
     }
 
@@ -68,7 +78,12 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn declared_type(&mut self, ty: &'u TypeDeclaration<'u>) -> TypeId {
-        let base = self.specification(&ty.specification, ty.name.text);
+        let base = match (&ty.specification.kind, ty.extends) {
+            (TypeSpecificationKind::Structure(groups), Some(base)) => {
+                self.derived_structure(base, groups, ty.name.text, ty.specification.span)
+            }
+            _ => self.specification(&ty.specification, ty.name.text),
+        };
         if base == TypeId::ERROR {
             // Its initial value would only be looked at in vain.
             return TypeId::ERROR;
@@ -117,13 +132,21 @@ fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
         seen: FxHashSet::default(),
     };
     match declared {
-        DeclaredNode::Type(ty) => needs.specification(&ty.specification),
+        DeclaredNode::Type(ty) => {
+            ty.extends.iter().for_each(|base| needs.name(*base));
+            needs.specification(&ty.specification);
+        }
         DeclaredNode::Block(pou) => {
-            let blocks = model.pous[pou].pou.blocks.iter();
-            let held = blocks
-                .filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External))
-                .flat_map(|block| &block.groups);
-            held.for_each(|group| needs.specification(&group.specification));
+            let pou = model.pous[pou].pou;
+            let bases = pou.extends.iter().chain(&pou.implements);
+            bases.for_each(|base| needs.name(*base));
+            let instance = pou.members.iter().flat_map(|member| &member.blocks);
+            let instance = instance.filter(|block| block.kind == VariableKind::Instance);
+            let held = pou.blocks.iter().chain(instance);
+            let held =
+                held.filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External));
+            held.flat_map(|block| &block.groups)
+                .for_each(|group| needs.specification(&group.specification));
         }
     }
     needs.found

@@ -18,6 +18,9 @@ use stickler_types::{Code, ElementaryType};
 impl<'m> Lowering<'m> {
     /// Puts the value of a variable, element, field or part on the stack.
     pub(super) fn read(&mut self, id: ExpressionId) -> LoweredValue {
+        if let Some(property) = self.property(id) {
+            return self.read_property(id, property);
+        }
         match self.place(id) {
             Some(place) => {
                 let before = self.emitter.line();
@@ -46,7 +49,10 @@ impl<'m> Lowering<'m> {
     pub(super) fn place_itself(&mut self, id: ExpressionId) -> Option<VariablePlace> {
         let expression = self.expression(id);
         match &expression.kind {
-            ExpressionKind::Name(name) => self.named_place(*name),
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } if self.property(id).is_some() => {
+                self.property_place(id)
+            }
+            ExpressionKind::Name(name) => self.named_place(id, *name),
             ExpressionKind::Field { base, field } => self.field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
             ExpressionKind::Dereference { base } => self.dereference(*base),
@@ -66,9 +72,12 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn named_place(&mut self, name: Name<'m>) -> Option<VariablePlace> {
+    fn named_place(&mut self, id: ExpressionId, name: Name<'m>) -> Option<VariablePlace> {
         if let Some((_, variable)) = self.variable(name.text) {
             return (variable.ty != TypeId::ERROR).then(|| VariablePlace::of(variable));
+        }
+        if let Some(own) = self.own_instance_of(id) {
+            return self.own_place(own);
         }
         let what = if self.enumerated_name(name.text).is_some() {
             "is an enumerated value, no variable".to_owned()
@@ -89,8 +98,13 @@ impl<'m> Lowering<'m> {
 
     fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<VariablePlace> {
         let place = self.place(base)?;
+        let is_own = self.own_instance_of(base).is_some();
         let types = &self.model.types;
-        let Some(member) = types.kind(place.content()).element(field.text) else {
+        let member = match is_own {
+            true => types.member(place.content(), field.text),
+            false => types.element(place.content(), field.text),
+        };
+        let Some(member) = member else {
             let name = types.name(place.content());
             let message = format!("{name} has no element `{}` that can be reached", field.text);
             self.report(Code::VariableUndefined, field.span, message);

@@ -223,13 +223,19 @@ impl<'m> Lowering<'m> {
         let ExpressionKind::Name(name) = self.expression(id).kind else {
             return false;
         };
-        let in_function = self.entry().is_some_and(|entry| entry.is_function());
-        self.variable(name.text)
-            .is_some_and(|(_, variable)| match variable.kind {
+        // The variables of its block outlive the call of a method.
+        let function = self.entry().filter(|entry| entry.is_function());
+        self.variable(name.text).is_some_and(|(index, variable)| {
+            let in_function = function.is_some_and(|entry| entry.variables.contains(&index));
+            match variable.kind {
                 VariableKind::Temporary => true,
                 VariableKind::Local | VariableKind::Input | VariableKind::Output => in_function,
-                VariableKind::InOut | VariableKind::External | VariableKind::Global => false,
-            })
+                VariableKind::InOut
+                | VariableKind::External
+                | VariableKind::Global
+                | VariableKind::Instance => false,
+            }
+        })
     }
 
     /// Puts the address of a variable on the stack to which a variable of the type `target`, which is declared with REFERENCE TO, is bound.

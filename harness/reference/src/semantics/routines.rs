@@ -20,12 +20,19 @@ impl<'m> Lowering<'m> {
             self.initial_value(routine, value);
         }
         self.constants_only = false;
+        let mut methods = MachineProgram::default();
         for (entry, pou) in model.pous.iter().zip(0..) {
             self.pou = Some(pou);
             if entry.is_function() {
                 self.function(entry);
             } else {
                 self.instance(entry);
+            }
+            if entry.has_body(model) {
+                self.dispatch_routine(entry, &mut methods);
+            }
+            if let Some(base) = entry.base {
+                methods.bases.insert(pou + 1, base + 1);
             }
         }
         self.pou = None;
@@ -46,6 +53,8 @@ impl<'m> Lowering<'m> {
             scan,
             memory,
             texts,
+            methods: methods.methods,
+            bases: methods.bases,
             addresses,
             ..self.emitter.finish()
         };
@@ -54,6 +63,7 @@ impl<'m> Lowering<'m> {
 
     /// A function begins anew at each call; inputs that a call leaves out take their defaults.
     fn function(&mut self, entry: &'m PouEntry<'m>) {
+        let muted = self.reporter.mute(entry.is_frame);
         self.emitter.begin(entry.initial);
         self.set_line(entry.pou.name.span);
         for &parameter in &entry.parameters {
@@ -62,6 +72,10 @@ impl<'m> Lowering<'m> {
             }
         }
         self.emit(Instruction::Return);
+        self.reporter.mute(muted);
+        if entry.is_frame {
+            return;
+        }
         self.emitter.begin(entry.body);
         self.set_line(entry.pou.name.span);
         self.clear(
@@ -85,6 +99,15 @@ impl<'m> Lowering<'m> {
     fn instance(&mut self, entry: &'m PouEntry<'m>) {
         self.emitter.begin(entry.initial);
         self.set_line(entry.pou.name.span);
+        if let Some(base) = entry.base {
+            self.emit(Instruction::InstanceAddress(0));
+            self.emit(Instruction::CallInstance(self.model.pous[base as usize].initial));
+        }
+        if let (true, Some(pou)) = (entry.has_type_number, self.pou) {
+            self.emit(Instruction::InstanceAddress(0));
+            self.emit(Instruction::Push(u64::from(pou) + 1));
+            self.emit(Instruction::StoreIndirect);
+        }
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
             if !matches!(

@@ -41,7 +41,9 @@ impl<'u> Declarer<'u, '_> {
             }
             TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
-            TypeSpecificationKind::Structure(groups) => self.structure(groups, hint, specification.span),
+            TypeSpecificationKind::Structure(groups) => {
+                self.structure(None, groups, hint, specification.span)
+            }
             TypeSpecificationKind::Error => TypeId::ERROR,
         }
     }
@@ -225,18 +227,55 @@ impl<'u> Declarer<'u, '_> {
         id
     }
 
-    fn structure(&mut self, groups: &'u [VariableGroup<'u>], name: &str, span: Span) -> TypeId {
+    /// A structure with the elements of another before its own.
+    ///
+    /// Basis: codesys-pages: _cds_datatype_structure.
+    pub(super) fn derived_structure(
+        &mut self,
+        base: Name<'u>,
+        groups: &'u [VariableGroup<'u>],
+        name: &str,
+        span: Span,
+    ) -> TypeId {
+        let ty = self.named(base);
+        match self.model.types.kind(ty) {
+            TypeKind::Structure(_) => {
+                let base = self.model.types.root(ty);
+                self.structure(Some(base), groups, name, span)
+            }
+            TypeKind::Error => TypeId::ERROR,
+            _ => {
+                let message = format!("`{}` is no structure, and cannot be extended here", base.text);
+                self.report(Code::InheritanceInvalid, base.span, message);
+                TypeId::ERROR
+            }
+        }
+    }
+
+    fn structure(
+        &mut self,
+        base: Option<TypeId>,
+        groups: &'u [VariableGroup<'u>],
+        name: &str,
+        span: Span,
+    ) -> TypeId {
         let mut members = NamedList::new();
-        let mut extent = Extent {
+        let inherited = base.map(|base| *self.model.types.extent(base));
+        let mut extent = inherited.unwrap_or(Extent {
             size: 0,
             ..Extent::PLAIN
-        };
-        let mut size = 0_u64;
-        let mut zero = true;
+        });
+        let mut size = u64::from(extent.size);
+        let mut zero = extent.default == DefaultValue::Zero;
         for group in groups {
             let hint = group.names.first().map_or("", |name| name.text);
             let ty = self.group_type(group, hint);
             let inner = *self.model.types.extent(ty);
+            if self.is_abstract(ty) {
+                let message = "an ABSTRACT function block has no instances";
+                let span = group.specification.span;
+                self.report(Code::AbstractFunctionBlockInstantiated, span, message);
+            }
             zero &= group.initializer.is_none() && inner.default == DefaultValue::Zero;
             extent.depth = extent.depth.max(inner.depth);
             extent.has_block |= inner.has_block;
@@ -247,8 +286,11 @@ impl<'u> Declarer<'u, '_> {
                     offset,
                     kind: VariableKind::Local,
                     constant: false,
+                    is_public: true,
                 };
-                if !members.push(name.text, member) {
+                let is_inherited =
+                    base.is_some_and(|base| self.model.types.member(base, name.text).is_some());
+                if is_inherited || !members.push(name.text, member) {
                     let message = format!("element `{}` is already declared", name.text);
                     self.report(Code::StructureDuplicatedElement, name.span, message);
                 }
@@ -260,6 +302,7 @@ impl<'u> Declarer<'u, '_> {
             return TypeId::ERROR;
         }
         extent.depth += 1;
+        extent.default = DefaultValue::Zero;
         // An empty structure takes a cell too, lest an array of them have no length in memory.
         extent.size = u32::try_from(size.max(1)).unwrap_or(u32::MAX);
         if !zero {
@@ -268,6 +311,7 @@ impl<'u> Declarer<'u, '_> {
         let structure = Structure {
             name: name.into(),
             pou: u32::MAX,
+            base,
             members,
         };
         let id = self

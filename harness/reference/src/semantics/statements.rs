@@ -63,6 +63,9 @@ impl<'m> Lowering<'m> {
     }
 
     fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
+        if let Some(property) = self.property(target) {
+            return self.write_property(target, property, value);
+        }
         let Some(place) = self.place(target) else {
             self.value(value, None);
             return;

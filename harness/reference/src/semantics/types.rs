@@ -50,8 +50,10 @@ pub(super) enum TypeKind {
     Array(Box<ArrayShape>),
     /// A structure.
     Structure(Box<Structure>),
-    /// A function block.
+    /// A function block or class.
     FunctionBlock(Box<Structure>),
+    /// An interface: a value is the address of an instance, or 0.
+    Interface(Box<Structure>),
     /// A reference or pointer.
     Pointer(PointerType),
 }
@@ -119,9 +121,11 @@ impl Dimension {
 pub(super) struct Structure {
     /// The name.
     pub(super) name: Box<str>,
-    /// The index of the function block among the POUs; without meaning for a structure.
+    /// The index of the function block or interface among the POUs; without meaning for a structure.
     pub(super) pou: u32,
-    /// The elements.
+    /// The type that it extends, whose elements lie before its own.
+    pub(super) base: Option<TypeId>,
+    /// The elements, those of the base left out.
     pub(super) members: NamedList<TypeMember>,
 }
 
@@ -136,23 +140,8 @@ pub(super) struct TypeMember {
     pub(super) kind: VariableKind,
     /// Whether the member is a CONSTANT.
     pub(super) constant: bool,
-}
-
-impl TypeKind {
-    /// Returns the member that `x.name` reaches in a variable of this type: any element of a structure, and of a function block its
-    /// inputs and outputs; its other variables are its own.
-    ///
-    /// Basis: iec-61131-3: 2.5.2 of the second edition (only inputs and outputs are accessible from outside).
-    pub(super) fn element(&self, name: &str) -> Option<&TypeMember> {
-        match self {
-            TypeKind::Structure(structure) => structure.members.find(name),
-            TypeKind::FunctionBlock(block) => block
-                .members
-                .find(name)
-                .filter(|member| matches!(member.kind, VariableKind::Input | VariableKind::Output)),
-            _ => None,
-        }
-    }
+    /// Whether the member stands in a section that is PUBLIC or INTERNAL.
+    pub(super) is_public: bool,
 }
 
 /// The value that a variable has without an initial value of its own.
@@ -203,6 +192,10 @@ impl Extent {
     };
 }
 
+/// The most types that a function block, class or interface extends and implements, directly and indirectly; those that are met on
+/// several ways count as often.
+pub(super) const MAX_ANCESTORS: u32 = 200;
+
 /// The default maximum length of STRING and WSTRING; the standard leaves it to the implementer.
 pub(super) const DEFAULT_CAPACITY: u32 = 254;
 
@@ -214,6 +207,8 @@ pub(super) struct TypeTable {
     texts: FxHashMap<(ElementaryType, u32), TypeId>,
     subranges: FxHashMap<Subrange, TypeId>,
     arrays: FxHashMap<(TypeId, Box<[Dimension]>), TypeId>,
+    /// The types that function blocks, classes and interfaces directly extend or implement.
+    parents: FxHashMap<TypeId, Vec<TypeId>>,
 }
 
 /// The elementary types, and behind them [`TypeId::ERROR`] and [`TypeId::ADDRESS`]: the same in every source text.
@@ -251,7 +246,58 @@ impl TypeTable {
             texts: FxHashMap::default(),
             subranges: FxHashMap::default(),
             arrays: FxHashMap::default(),
+            parents: FxHashMap::default(),
         }
+    }
+
+    /// Notes the types that a new type extends or implements, of which there are at most [`MAX_ANCESTORS`].
+    pub(super) fn set_parents(&mut self, id: TypeId, parents: Vec<TypeId>) {
+        self.parents.insert(id, parents);
+    }
+
+    /// Returns whether a type is another one, or extends or implements it, directly or not.
+    pub(super) fn derives(&self, id: TypeId, ancestor: TypeId) -> bool {
+        let mut waiting = vec![self.root(id)];
+        while let Some(next) = waiting.pop() {
+            if next == ancestor {
+                return true;
+            }
+            waiting.extend(self.parents.get(&next).into_iter().flatten());
+        }
+        false
+    }
+
+    /// Returns a type as a structure or function block, if it is one.
+    pub(super) fn structure(&self, id: TypeId) -> Option<&Structure> {
+        match self.kind(id) {
+            TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => Some(structure),
+            _ => None,
+        }
+    }
+
+    /// Returns the element or variable of a name, inherited ones among them.
+    pub(super) fn member(&self, mut id: TypeId, name: &str) -> Option<&TypeMember> {
+        loop {
+            let structure = self.structure(id)?;
+            let found = structure.members.find(name);
+            if found.is_some() {
+                return found;
+            }
+            id = structure.base?;
+        }
+    }
+
+    /// Returns the member that `x.name` reaches in a variable of a type: any element of a structure, and of a function block its
+    /// inputs and outputs, and what is PUBLIC; its other variables are its own.
+    ///
+    /// Basis: iec-61131-3: 2.5.2 of the second edition (only inputs and outputs are accessible from outside).
+    pub(super) fn element(&self, id: TypeId, name: &str) -> Option<&TypeMember> {
+        let is_structure = matches!(self.kind(id), TypeKind::Structure(_));
+        self.member(id, name).filter(|member| {
+            is_structure
+                || member.is_public
+                || matches!(member.kind, VariableKind::Input | VariableKind::Output)
+        })
     }
 
     /// Adds a type that is equal to no other.
@@ -440,7 +486,9 @@ impl TypeTable {
             TypeKind::Text { ty, capacity } => format!("{}[{capacity}]", ty.name()),
             TypeKind::Subrange(Subrange { base, low, high }) => format!("{}({low}..{high})", base.name()),
             TypeKind::Enumeration(enumeration) => enumeration.name.to_string(),
-            TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => structure.name.to_string(),
+            TypeKind::Structure(structure)
+            | TypeKind::FunctionBlock(structure)
+            | TypeKind::Interface(structure) => structure.name.to_string(),
             TypeKind::Pointer(_) if id == TypeId::ADDRESS => "an address".to_owned(),
             TypeKind::Pointer(pointer) => {
                 format!("{} {}", pointer.form.words(), self.name(pointer.target))

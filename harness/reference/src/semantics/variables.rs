@@ -7,7 +7,7 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    Access, CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -17,22 +17,34 @@ impl<'u> Declarer<'u, '_> {
         self.current = Some(index);
         let first = self.model.variables.len();
         let pou = self.model.pous[index].pou;
+        self.resolve_bases(index);
+        let is_function = self.model.pous[index].is_function();
         for block in &pou.blocks {
-            for group in &block.groups {
+            // The variables of VAR_INST have been declared with the owner's.
+            let declared = block.kind == VariableKind::Instance && pou.kind.is_member();
+            for group in block.groups.iter().filter(|_| !declared) {
                 self.declare_group(index, block, group);
             }
         }
-        if pou.kind == PouKind::Function {
+        self.declare_instance_variables(index);
+        if is_function {
             self.declare_result(index);
         }
         self.model.pous[index].variables = saturating_u32(first)..saturating_u32(self.model.variables.len());
-        if pou.kind != PouKind::Function {
+        if pou.kind == PouKind::Interface {
+            self.make_interface_type(index);
+        } else if !is_function {
             self.make_instance_type(index);
         }
         self.current = None;
     }
 
-    fn declare_group(&mut self, pou: usize, block: &'u VariableBlock<'u>, group: &'u VariableGroup<'u>) {
+    pub(super) fn declare_group(
+        &mut self,
+        pou: usize,
+        block: &'u VariableBlock<'u>,
+        group: &'u VariableGroup<'u>,
+    ) {
         let hint = group.names.first().map_or("", |name| name.text);
         let first = self.model.variables.len();
         let later = match block.kind {
@@ -74,6 +86,14 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
         let has_block = held && self.model.types.extent(ty).has_block;
+        if held && self.is_abstract(ty) {
+            let message = "an ABSTRACT function block has no instances";
+            self.report(
+                Code::AbstractFunctionBlockInstantiated,
+                group.specification.span,
+                message,
+            );
+        }
         if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
             self.report(Code::FunctionBlockInFunction, group.specification.span, message);
@@ -138,6 +158,7 @@ impl<'u> Declarer<'u, '_> {
             ty,
             kind,
             constant: block.constant,
+            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
             storage: Storage::Absolute(0),
             initializer: group.initializer.as_ref(),
             repeated: group.names.first().is_none_or(|first| first.span != name.span),
@@ -151,16 +172,21 @@ impl<'u> Declarer<'u, '_> {
         if own || entry.scope.contains_key(&CaseFolded(name.text)) {
             let message = format!("`{}` is already declared in `{}`", name.text, entry.pou.name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
+        } else if self.is_inherited(pou, name) {
+            let message = format!("`{}` is already declared in what is extended", name.text);
+            self.report(Code::ExtendsFieldNameDuplicated, name.span, message);
         } else {
+            let entry = &mut self.model.pous[pou];
             entry.scope.insert(CaseFolded(name.text), index);
         }
     }
 
     /// The variable that has a function's own name, and holds its result.
     fn declare_result(&mut self, pou: usize) {
-        let Some(result) = &self.model.pous[pou].pou.result else {
+        let Some(result) = self.result_specification(pou) else {
             return;
         };
+        let is_setter = self.model.pous[pou].pou.kind == PouKind::Setter;
         let name = self.model.pous[pou].pou.name;
         let ty = self.specification(result, name.text);
         if self.model.types.extent(ty).has_block {
@@ -171,15 +197,24 @@ impl<'u> Declarer<'u, '_> {
         self.model.variables.push(DeclaredVariable {
             name,
             ty,
-            kind: VariableKind::Output,
+            kind: if is_setter {
+                VariableKind::Input
+            } else {
+                VariableKind::Output
+            },
             constant: false,
+            is_public: false,
             storage: Storage::Absolute(0),
             initializer: None,
             repeated: false,
             value: Constant::Variable,
         });
         let entry = &mut self.model.pous[pou];
-        entry.result = Some(index);
+        if is_setter {
+            entry.parameters.push(index);
+        } else {
+            entry.result = Some(index);
+        }
         entry.scope.insert(CaseFolded(name.text), index);
     }
 
@@ -194,8 +229,15 @@ impl<'u> Declarer<'u, '_> {
             ..Extent::PLAIN
         };
         let mut members = NamedList::new();
-        let mut size = 0_u64;
-        let mut zero = true;
+        let base = entry.base.map(|base| self.model.pous[base as usize].ty);
+        let has_type_number = entry.has_type_number;
+        let mut size = u64::from(has_type_number);
+        if let Some(base) = base {
+            let inherited = *self.model.types.extent(base);
+            size = inherited.size.into();
+            (extent.text_units, extent.depth) = (inherited.text_units, inherited.depth);
+        }
+        let mut zero = !has_type_number;
         for index in variables {
             let variable = &mut self.model.variables[index as usize];
             let offset = u32::try_from(size).unwrap_or(u32::MAX);
@@ -215,15 +257,20 @@ impl<'u> Declarer<'u, '_> {
                 }
             }
             let (ty, kind, constant) = (variable.ty, variable.kind, variable.constant);
-            members.push(
-                variable.name.text,
-                TypeMember {
-                    ty,
-                    offset,
-                    kind,
-                    constant,
-                },
-            );
+            let is_public = variable.is_public;
+            let name = variable.name;
+            let member = TypeMember {
+                ty,
+                offset,
+                kind,
+                constant,
+                is_public,
+            };
+            // Several methods may have a VAR_INST of one name; no variable has a number for its name.
+            match kind {
+                VariableKind::Instance => members.push(&index.to_string(), member),
+                _ => members.push(name.text, member),
+            };
         }
         if self.too_deep(extent.depth, span) || self.too_large(size, span) {
             return;
@@ -236,6 +283,7 @@ impl<'u> Declarer<'u, '_> {
         let structure = Box::new(Structure {
             name: name.text.into(),
             pou: saturating_u32(pou),
+            base,
             members,
         });
         let kind = if program {
@@ -243,6 +291,8 @@ impl<'u> Declarer<'u, '_> {
         } else {
             TypeKind::FunctionBlock(structure)
         };
-        self.model.pous[pou].ty = self.model.types.add(kind, extent);
+        let ty = self.model.types.add(kind, extent);
+        self.model.pous[pou].ty = ty;
+        self.note_parents(pou);
     }
 }

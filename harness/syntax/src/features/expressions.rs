@@ -2,9 +2,10 @@
 
 use super::FeatureFinder;
 use crate::names::DeclaredKind;
+use crate::source::Span;
 use crate::tree::{
     Argument, BinaryOperator, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind,
-    UnaryOperator,
+    UnaryOperator, own_instance,
 };
 use crate::visitor::Context;
 use stickler_types::ElementaryType;
@@ -25,8 +26,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 self.note_if(is_value, "enumerated-value", span);
                 let is_null = name.text.eq_ignore_ascii_case("NULL") && self.declared(name.text).is_none();
                 self.note_if(is_null, "null", span);
+                self.own_instance(name.text, span);
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
+            ExpressionKind::Field { field, .. } if self.is_property(field.text) => {}
             ExpressionKind::Field { base, .. }
                 if let Some(key) = self.name_of(*base, at).and_then(|name| self.qualifier(name)) =>
             {
@@ -95,7 +98,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         match self.declared(name) {
             Some(DeclaredKind::Type) => Some("enumerated-value-qualified"),
             Some(_) => None,
-            None => Some("qualified-name"),
+            None => (own_instance(name).is_none()).then_some("qualified-name"),
         }
     }
 
@@ -105,7 +108,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             return None;
         };
         let library = self.name_of(base, at)?;
-        self.declared(library).is_none().then_some(field.text)
+        (self.declared(library).is_none() && own_instance(library).is_none()).then_some(field.text)
     }
 
     /// Returns the name that an expression is; `None` where it is something else.
@@ -114,6 +117,25 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => Some(name.text),
             _ => None,
         }
+    }
+
+    /// Returns whether a name is only that of a property.
+    fn is_property(&self, name: &str) -> bool {
+        let declared = self.declared(name);
+        matches!(
+            declared,
+            Some(DeclaredKind::Pou(PouKind::Getter | PouKind::Setter))
+        )
+    }
+
+    /// Notes a name that stands for the instance whose code is running; says whether it is one.
+    fn own_instance(&mut self, name: &str, span: Span) -> bool {
+        let Some(word) = own_instance(name).filter(|_| self.declared(name).is_none()) else {
+            return false;
+        };
+        self.note_if(name.ends_with('^'), "pointer-to-this", span);
+        self.note(if word == "THIS" { "this" } else { "super" }, span);
+        true
     }
 
     /// Returns whether a minus stands before an untyped number, as a part of which it is understood.
@@ -147,12 +169,20 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             }
         }
-        let name = self
-            .name_of(callee, at)
-            .or_else(|| self.behind_library(callee, at));
+        let library = self.behind_library(callee, at);
+        self.note_if(library.is_some(), "qualified-name", span);
+        let name = match at.unit.expression(callee).map(|callee| &callee.kind) {
+            Some(ExpressionKind::Name(name)) if self.own_instance(name.text, span) => None,
+            Some(ExpressionKind::Name(name)) => Some(name.text),
+            Some(ExpressionKind::Field { field, .. }) if self.declared(field.text).is_some() => {
+                Some(field.text)
+            }
+            _ => library,
+        };
         let block = name.and_then(|name| self.block_of(name));
         match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
+            Some(DeclaredKind::Pou(PouKind::Method)) => self.note("method-call", span),
             None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call, at),
             _ => self.note("function-block-call", span),
         }

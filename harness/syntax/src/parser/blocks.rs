@@ -10,8 +10,11 @@ impl<'s> Parser<'s, '_> {
     /// A block which is open waits for this keyword; or it closes a statement, and the innermost block is one,
     /// so that the wrong END_… has been written.
     pub(super) fn is_awaited(&self, kind: TokenKind) -> bool {
-        let mistaken =
-            kind.closes_block() && self.blocks.last().is_some_and(|block| *block != OpenBlock::Pou);
+        let mistaken = kind.closes_block()
+            && !matches!(
+                self.blocks.last(),
+                None | Some(OpenBlock::Pou | OpenBlock::Member)
+            );
         mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
     }
 
@@ -38,7 +41,9 @@ impl<'s> Parser<'s, '_> {
             }
             return;
         }
-        let alike = kind.closes_block() && closer.closes_block() || kind.closes_pou() && closer.closes_pou();
+        let alike = kind.closes_block() && closer.closes_block()
+            || kind.closes_pou() && closer.closes_pou()
+            || kind.closes_member() && closer.closes_member();
         if alike && !self.blocks.iter().any(|block| block.awaits(kind)) {
             self.bump();
         }

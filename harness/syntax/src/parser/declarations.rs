@@ -5,8 +5,10 @@ use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    Declaration, Name, Pou, PouKind, Statement, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    VariableBlock,
 };
+use stickler_types::Code;
 
 impl<'s> Parser<'s, '_> {
     /// All declarations up to the end of the text.
@@ -42,8 +44,14 @@ impl<'s> Parser<'s, '_> {
                 self.variable_block();
                 None
             }
-            _ if self.at_foreign_declaration() => self.foreign_declaration(),
+            _ if self.at_foreign_declaration() => {
+                self.foreign_declaration();
+                None
+            }
             _ => {
+                if let Some(kind) = self.at_object() {
+                    return self.pou(kind);
+                }
                 self.expected(
                     "a declaration (PROGRAM, FUNCTION, FUNCTION_BLOCK, TYPE, VAR_GLOBAL or CONFIGURATION)",
                 );
@@ -54,25 +62,41 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// PROGRAM, FUNCTION or FUNCTION_BLOCK. One that has no name is read, but cannot be held by the tree; of a
+    /// PROGRAM, FUNCTION, FUNCTION_BLOCK, CLASS or INTERFACE. One that has no name is read, but cannot be held by the tree; of a
     /// function block with parts that are not implemented only the name is kept.
     fn pou(&mut self, kind: PouKind) -> Option<Declaration<'s>> {
         let start = self.bump().span;
-        self.incomplete = false;
-        self.unsupported_modifiers();
+        (self.incomplete, self.refused) = (false, false);
+        self.in_interface = kind == PouKind::Interface;
+        match kind {
+            PouKind::Class => self.requires("class", start, "CLASS"),
+            PouKind::Interface => self.requires("interface", start, "INTERFACE"),
+            _ => {}
+        }
+        let modifiers = self.modifiers();
         let mut blocks = Vec::new();
-        let (name, result) = self.pou_header(kind, &mut blocks);
-        while self.at_section() {
+        let (name, bases, result) = self.pou_header(kind, &mut blocks);
+        self.blocks.push(OpenBlock::Pou);
+        loop {
+            if self.at_member() {
+                self.member_declaration();
+                continue;
+            }
+            if !self.at_section() {
+                break;
+            }
             if self.kind() == TokenKind::VarGlobal {
                 self.expected("variables of the POU (VAR_GLOBAL stands outside of it)");
             }
             blocks.extend(self.variable_block());
             self.stray_semicolon();
         }
-        self.blocks.push(OpenBlock::Pou);
-        let body = self.statements();
+        let mut body = self.statements();
         self.blocks.clear();
+        (self.refused, self.in_interface) = (false, false);
         blocks.append(&mut self.late_sections);
+        let members = std::mem::take(&mut self.members);
+        self.check_parts(kind, &members, &mut body);
         let end = self.token().span;
         self.close(closer(kind));
         let name = name?;
@@ -80,12 +104,17 @@ impl<'s> Parser<'s, '_> {
             return Some(unknown_type(name));
         }
         let span = start.to(self.previous_span());
+        let [extends, implements] = bases;
         Some(Declaration::Pou(Pou {
             kind,
+            modifiers,
             name,
+            extends,
+            implements,
             result,
             blocks,
             body,
+            members,
             span,
             end,
         }))
@@ -97,12 +126,19 @@ impl<'s> Parser<'s, '_> {
         &mut self,
         kind: PouKind,
         blocks: &mut Vec<VariableBlock<'s>>,
-    ) -> (Option<Name<'s>>, Option<TypeSpecification<'s>>) {
+    ) -> (
+        Option<Name<'s>>,
+        [Vec<Name<'s>>; 2],
+        Option<TypeSpecification<'s>>,
+    ) {
         let Ok(name) = self.declared_name("a name") else {
             self.skip_line();
-            return (None, None);
+            return (None, Default::default(), None);
         };
-        self.unsupported_inheritance();
+        let bases = [
+            self.names_behind("EXTENDS", "extends"),
+            self.names_behind("IMPLEMENTS", "implements"),
+        ];
         if self.kind() == TokenKind::LeftParen {
             self.expected("variables (parameters stand between VAR_INPUT and END_VAR)");
             blocks.push(self.parameters_in_parentheses());
@@ -120,18 +156,34 @@ impl<'s> Parser<'s, '_> {
             self.skip_line();
         }
         self.stray_semicolon();
-        (Some(name), result)
+        (Some(name), bases, result)
+    }
+
+    /// Reports statements where the POU has none, and methods where it has none.
+    fn check_parts(&mut self, kind: PouKind, members: &[Pou<'s>], body: &mut Vec<Statement>) {
+        let has_body = !matches!(kind, PouKind::Class | PouKind::Interface);
+        if let (Some(first), false) = (body.first(), has_body) {
+            self.report(Code::SyntaxError, first.span, || {
+                "a class or interface has methods, and no statements of its own".to_owned()
+            });
+            body.clear();
+        }
+        if let (Some(first), PouKind::Function) = (members.first(), kind) {
+            self.report(Code::SyntaxError, first.name.span, || {
+                "a function has no methods and properties".to_owned()
+            });
+        }
     }
 
     /// A `;` in front of a variable section, which is no empty statement yet.
-    fn stray_semicolon(&mut self) {
+    pub(super) fn stray_semicolon(&mut self) {
         if self.kind() == TokenKind::Semicolon && self.nth(1).opens_section() {
             self.expected("variables, statements or the end");
             self.bump();
         }
     }
 
-    fn result_type(&mut self) -> TypeSpecification<'s> {
+    pub(super) fn result_type(&mut self) -> TypeSpecification<'s> {
         let start = self.token().span;
         self.type_specification().unwrap_or_else(|_| {
             self.skip_line();
@@ -185,6 +237,8 @@ impl<'s> Parser<'s, '_> {
             text: self.word(),
             span: self.bump().span,
         };
+        self.refused = false;
+        let extends = self.names_behind("EXTENDS", "structure-extends").first().copied();
         let (specification, initializer) = match self.type_of_declaration() {
             Ok(specification) => {
                 let initializer = self.optional_initializer(&specification);
@@ -197,29 +251,29 @@ impl<'s> Parser<'s, '_> {
         };
         TypeDeclaration {
             name,
+            extends,
             specification,
             initializer,
         }
     }
 
     fn type_of_declaration(&mut self) -> ParseResult<TypeSpecification<'s>> {
-        if self.unsupported_inheritance() {
-            self.incomplete = false;
-            self.require(TokenKind::Colon)?;
-            let specification = self.type_specification()?;
-            return Ok(error_specification(specification.span));
-        }
         self.require(TokenKind::Colon)?;
         self.type_specification()
     }
 }
 
 /// The keyword that closes a POU.
-fn closer(kind: PouKind) -> TokenKind {
+pub(super) fn closer(kind: PouKind) -> TokenKind {
     match kind {
         PouKind::Program => TokenKind::EndProgram,
         PouKind::Function => TokenKind::EndFunction,
         PouKind::FunctionBlock => TokenKind::EndFunctionBlock,
+        PouKind::Class => TokenKind::EndClass,
+        PouKind::Interface => TokenKind::EndInterface,
+        PouKind::Method => TokenKind::EndMethod,
+        PouKind::Getter => TokenKind::EndGet,
+        PouKind::Setter => TokenKind::EndSet,
     }
 }
 
@@ -236,6 +290,7 @@ pub(super) fn unknown_type(name: Name<'_>) -> Declaration<'_> {
     let specification = error_specification(name.span);
     Declaration::Types(vec![TypeDeclaration {
         name,
+        extends: None,
         specification,
         initializer: None,
     }])

@@ -7,6 +7,8 @@ use crate::tree::{BinaryOperator, ExpressionId};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum OpenBlock {
     Pou,
+    /// A method, or a part of a property.
+    Member,
     If,
     Case,
     /// The ELSE branch of an IF or a CASE.
@@ -20,6 +22,7 @@ impl OpenBlock {
     /// Returns whether a keyword ends the block, or the part of it that is being read.
     pub(super) fn awaits(self, kind: TokenKind) -> bool {
         match self {
+            OpenBlock::Member => kind.closes_member(),
             OpenBlock::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
             OpenBlock::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
             OpenBlock::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),

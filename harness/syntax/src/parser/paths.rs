@@ -8,15 +8,17 @@ impl<'s> Parser<'s, '_> {
     /// `a`, `a.b`, `a[1].b(x := 2)`, `a.3`.
     #[inline]
     pub(super) fn path(&mut self) -> ParseResult<ExpressionId> {
-        let span = self.token().span;
+        let mut span = self.token().span;
         let kind = if self.kind() == TokenKind::Direct {
             self.unsupported(span, "directly represented variables (`%IX0.0`)");
             ExpressionKind::Error
         } else {
-            ExpressionKind::Name(Name {
+            let name = self.own_instance().unwrap_or(Name {
                 text: self.word(),
                 span,
-            })
+            });
+            span = name.span;
+            ExpressionKind::Name(name)
         };
         self.bump();
         self.height = 1;

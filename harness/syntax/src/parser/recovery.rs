@@ -112,7 +112,7 @@ impl Parser<'_, '_> {
         }
         let meant = self.word().to_ascii_uppercase();
         match meant.as_str() {
-            "VAR_STAT" | "VAR_INST" | "VAR_GENERIC" => {
+            "VAR_STAT" | "VAR_GENERIC" => {
                 self.unsupported(self.token().span, &format!("{meant} sections"));
             }
             _ => {
@@ -162,6 +162,7 @@ impl Parser<'_, '_> {
         while self.kind() != TokenKind::End
             && !self.kind().opens_declaration()
             && !self.at_foreign_declaration()
+            && self.at_object().is_none()
         {
             self.bump();
         }

@@ -5,7 +5,7 @@ use crate::diagnostic::{SpannedDiagnostic, quoted};
 use crate::lexer::Lexer;
 use crate::source::{MAX_LENGTH, Span};
 use crate::token::{Token, TokenKind};
-use crate::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit, VariableBlock};
+use crate::tree::{Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, VariableBlock};
 use stickler_types::Code;
 use stickler_types::dialect::Dialect;
 
@@ -65,6 +65,12 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) late_sections: Vec<VariableBlock<'s>>,
     /// The END_VAR of the section that is being read, where an error made it worth looking for.
     pub(super) section_end: Option<usize>,
+    /// The methods and properties of the POU that is being read.
+    pub(super) members: Vec<Pou<'s>>,
+    /// Whether the POU that is being read is an interface.
+    pub(super) in_interface: bool,
+    /// Whether a feature that the dialect lacks has been reported of what is being read.
+    pub(super) refused: bool,
     /// Whether something in the POU that is being read has been left out of the tree.
     pub(super) incomplete: bool,
     depth: usize,
@@ -92,6 +98,9 @@ impl<'s, 'd> Parser<'s, 'd> {
             blocks: Vec::new(),
             late_sections: Vec::new(),
             section_end: None,
+            members: Vec::new(),
+            in_interface: false,
+            refused: false,
             incomplete: false,
             depth: 0,
             reported: None,

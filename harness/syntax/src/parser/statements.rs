@@ -1,5 +1,6 @@
 //! Lists of statements, and the statements that are no blocks.
 
+use super::open::OpenBlock;
 use super::state::{Broken, ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
@@ -25,6 +26,11 @@ impl<'s> Parser<'s, '_> {
                 self.expected("a statement (variable sections stand before the statements)");
                 let section = self.variable_block();
                 self.late_sections.extend(section);
+            } else if self.at_member() {
+                if self.blocks.last() == Some(&OpenBlock::Member) {
+                    return;
+                }
+                self.member_declaration();
             } else if stop(self) || self.at_misspelt_end() {
                 return;
             } else {

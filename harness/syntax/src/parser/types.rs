@@ -195,7 +195,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// `.name.name` behind the name of a namespace.
-    fn qualified_type(&mut self, start: Span) -> Kind<'s> {
+    pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();

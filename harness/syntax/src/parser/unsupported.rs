@@ -2,11 +2,9 @@
 //! named in one diagnostic, and reading goes on behind it. The words are no keywords here, so that they remain
 //! names where they cannot begin the construct.
 
-use super::declarations::unknown_type;
 use super::state::{Broken, ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
-use crate::tree::{Declaration, Name};
 use stickler_types::Code;
 
 /// Words that begin an instruction of an instruction list.
@@ -29,7 +27,7 @@ impl<'s> Parser<'s, '_> {
         });
     }
 
-    fn at_any_word(&self, words: &[&str]) -> bool {
+    pub(super) fn at_any_word(&self, words: &[&str]) -> bool {
         words.iter().any(|word| self.at_word(word))
     }
 
@@ -43,50 +41,28 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// CLASS, INTERFACE, NAMESPACE or USING begins a declaration here.
+    /// NAMESPACE or USING begins a declaration here.
     pub(super) fn at_foreign_declaration(&self) -> bool {
         self.kind() == TokenKind::Name
-            && (self.nth(1) == TokenKind::Name
-                && self.at_any_word(&["CLASS", "INTERFACE", "NAMESPACE", "USING"])
+            && (self.nth(1) == TokenKind::Name && self.at_any_word(&["NAMESPACE", "USING"])
                 || self.at_word("END_NAMESPACE"))
     }
 
-    /// Moves over such a declaration. Of a class or an interface the name is kept; the contents of a namespace
-    /// are read as if it were not there.
-    pub(super) fn foreign_declaration(&mut self) -> Option<Declaration<'s>> {
+    /// Moves over such a declaration. The contents of a namespace are read as if it were not there.
+    pub(super) fn foreign_declaration(&mut self) {
         let start = self.token().span;
         if self.at_word("END_NAMESPACE") {
             self.bump();
             self.eat(TokenKind::Semicolon);
-            return None;
+            return;
         }
-        if self.at_any_word(&["NAMESPACE", "USING"]) {
-            let using = self.at_word("USING");
-            self.bump();
-            self.qualified_name();
-            if using {
-                self.eat(TokenKind::Semicolon);
-            }
-            self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
-            return None;
-        }
-        let class = self.at_word("CLASS");
+        let using = self.at_word("USING");
         self.bump();
-        while self.nth(1) == TokenKind::Name && self.at_any_word(&["FINAL", "ABSTRACT"]) {
-            self.bump();
+        self.qualified_name();
+        if using {
+            self.eat(TokenKind::Semicolon);
         }
-        let name = Name {
-            text: self.word(),
-            span: self.bump().span,
-        };
-        let span = start.to(name.span);
-        let (features, end) = match class {
-            true => ("classes (CLASS)", "END_CLASS"),
-            false => ("interfaces (INTERFACE)", "END_INTERFACE"),
-        };
-        self.unsupported(span, features);
-        self.skip_past_word(end);
-        Some(unknown_type(name))
+        self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
     }
 
     fn qualified_name(&mut self) {
@@ -95,35 +71,6 @@ impl<'s> Parser<'s, '_> {
             self.bump();
             self.bump();
         }
-    }
-
-    /// FINAL or ABSTRACT in front of a POU's name.
-    pub(super) fn unsupported_modifiers(&mut self) {
-        let features = "object-oriented function blocks (FINAL, ABSTRACT)";
-        while self.nth(1) == TokenKind::Name && self.unsupported_word(&["FINAL", "ABSTRACT"], features) {}
-    }
-
-    /// EXTENDS or IMPLEMENTS and the names behind it; says whether there was one.
-    pub(super) fn unsupported_inheritance(&mut self) -> bool {
-        let start = self.token().span;
-        let mut found = false;
-        while self.nth(1) == TokenKind::Name && self.at_any_word(&["EXTENDS", "IMPLEMENTS"]) {
-            found = true;
-            self.bump();
-            self.qualified_name();
-            while self.kind() == TokenKind::Comma && self.nth(1) == TokenKind::Name {
-                self.bump();
-                self.qualified_name();
-            }
-        }
-        if found {
-            self.incomplete = true;
-            self.unsupported(
-                start.to(self.previous_span()),
-                "inherited types (EXTENDS, IMPLEMENTS)",
-            );
-        }
-        found
     }
 
     /// VAR_ACCESS or VAR_CONFIG, up to its END_VAR.
@@ -138,12 +85,6 @@ impl<'s> Parser<'s, '_> {
             self.bump();
         }
         self.eat(TokenKind::EndVar);
-    }
-
-    /// PUBLIC, PRIVATE, PROTECTED or INTERNAL behind a section's keyword.
-    pub(super) fn unsupported_access(&mut self) -> bool {
-        let features = "access specifiers (PUBLIC, PRIVATE, PROTECTED, INTERNAL)";
-        self.unsupported_word(&["PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL"], features)
     }
 
     /// `AT` and a location where none is implemented: without a name, in a structure, or by the name of a variable.
@@ -180,7 +121,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
-    /// of a chart, a method, a jump or a label.
+    /// of a chart, a jump or a label.
     pub(super) fn unsupported_statement(&mut self) -> ParseResult<()> {
         let next = self.nth(1);
         let start = self.token().span;
@@ -207,12 +148,6 @@ impl<'s> Parser<'s, '_> {
             self.unsupported(start, "sequential function charts (STEP, TRANSITION, ACTION)");
             self.incomplete = true;
             self.skip_body();
-            return Err(Broken);
-        }
-        if next == TokenKind::Name && self.at_word("METHOD") {
-            self.unsupported(start, "methods (METHOD)");
-            self.incomplete = true;
-            self.skip_past_word("END_METHOD");
             return Err(Broken);
         }
         self.unsupported_label()

@@ -1,12 +1,15 @@
 //! Variable sections, and the groups of names in them; also the fields of a structure.
 
 use super::declarations::error_specification;
+use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use super::unsupported::INCOMPLETE_LOCATIONS;
 use crate::token::TokenKind;
 use crate::tree::{
-    Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    Access, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    VariableKind,
 };
+use stickler_types::Code;
 
 impl<'s> Parser<'s, '_> {
     /// VAR… to END_VAR; `None` for a section that is not implemented.
@@ -18,14 +21,23 @@ impl<'s> Parser<'s, '_> {
         };
         let is_constant = misspelt.is_some() && self.at_word("VAR_CONSTANT");
         let start = self.bump().span;
-        let (constant, retention) = match misspelt {
-            Some(_) => (is_constant, None),
+        if kind == VariableKind::Instance {
+            match self.blocks.last() {
+                Some(OpenBlock::Member) => self.requires("var-inst", start, "VAR_INST"),
+                _ => self.report(Code::SyntaxError, start, || {
+                    "VAR_INST stands in methods only".to_owned()
+                }),
+            }
+        }
+        let (access, constant, retention) = match misspelt {
+            Some(_) => (None, is_constant, None),
             None => self.qualifiers(kind),
         };
         self.section_end = None;
         let groups = self.variable_groups(TokenKind::EndVar);
         Some(VariableBlock {
             kind,
+            access,
             constant,
             retention,
             groups,
@@ -37,26 +49,30 @@ impl<'s> Parser<'s, '_> {
     ///
     /// Basis: 6.5.2 of the third edition: inputs and outputs may be retained, but are no constants. PERSISTENT
     /// is no word of the standard, but of many compilers.
-    fn qualifiers(&mut self, section: VariableKind) -> (bool, Option<&'s str>) {
-        use VariableKind::{External, Global, Input, Local, Output};
-        let (mut constant, mut retention) = (false, None);
+    fn qualifiers(&mut self, section: VariableKind) -> (Option<Access>, bool, Option<&'s str>) {
+        use VariableKind::{External, Global, Input, Instance, Local, Output};
+        let (mut access, mut constant, mut retention) = (None, false, None);
         loop {
             let allowed = match self.kind() {
                 TokenKind::Constant => {
                     constant = true;
-                    matches!(section, Local | External | Global)
+                    matches!(section, Local | Instance | External | Global)
                 }
                 TokenKind::Retain | TokenKind::NonRetain => {
                     retention = retention.or(Some(self.word()));
-                    matches!(section, Local | Input | Output | Global)
+                    matches!(section, Local | Instance | Input | Output | Global)
                 }
-                TokenKind::Name if self.names_a_variable() => return (constant, retention),
+                TokenKind::Name if self.names_a_variable() => return (access, constant, retention),
                 TokenKind::Name if self.at_word("PERSISTENT") => {
                     retention = Some(self.word());
                     matches!(section, Local | Global)
                 }
-                TokenKind::Name if self.unsupported_access() => continue,
-                _ => return (constant, retention),
+                TokenKind::Name if self.access().is_some() => {
+                    let (span, word) = (self.token().span, self.word());
+                    self.requires("access-specifier", span, word);
+                    std::mem::replace(&mut access, self.access()).is_none()
+                }
+                _ => return (access, constant, retention),
             };
             if !allowed {
                 self.expected("a variable's name");
@@ -195,6 +211,7 @@ impl<'s> Parser<'s, '_> {
         }
         VariableBlock {
             kind: VariableKind::Input,
+            access: None,
             constant: false,
             retention: None,
             groups,
@@ -304,6 +321,7 @@ fn variable_kind(keyword: TokenKind) -> Option<VariableKind> {
     match keyword {
         TokenKind::Var => Some(VariableKind::Local),
         TokenKind::VarTemp => Some(VariableKind::Temporary),
+        TokenKind::VarInst => Some(VariableKind::Instance),
         TokenKind::VarInput => Some(VariableKind::Input),
         TokenKind::VarOutput => Some(VariableKind::Output),
         TokenKind::VarInOut => Some(VariableKind::InOut),

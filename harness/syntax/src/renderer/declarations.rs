@@ -3,9 +3,9 @@
 use super::names::NameShape;
 use super::writer::Writer;
 use crate::tree::{
-    ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind,
-    Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
-    VariableKind,
+    Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Modifiers,
+    Name, Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup, VariableKind,
 };
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
@@ -18,7 +18,7 @@ impl<'u, 's> Writer<'u, 's> {
                 self.end();
             }
             match declaration {
-                Declaration::Pou(pou) => self.pou(pou),
+                Declaration::Pou(pou) => self.pou(pou, pou.modifiers.access),
                 Declaration::Types(types) => self.types(types),
                 Declaration::Globals(block) => self.block_of_variables(block),
                 Declaration::Configuration(configuration) => self.configuration(configuration),
@@ -26,24 +26,90 @@ impl<'u, 's> Writer<'u, 's> {
         }
     }
 
-    fn pou(&mut self, pou: &'u Pou<'s>) {
+    /// A POU; `own_access` is the access specifier that is written with it.
+    fn pou(&mut self, pou: &'u Pou<'s>, own_access: Option<Access>) {
         let (opening, closing) = match pou.kind {
             PouKind::Program => ("PROGRAM ", "END_PROGRAM"),
             PouKind::Function => ("FUNCTION ", "END_FUNCTION"),
             PouKind::FunctionBlock => ("FUNCTION_BLOCK ", "END_FUNCTION_BLOCK"),
+            PouKind::Class => ("CLASS ", "END_CLASS"),
+            PouKind::Interface => ("INTERFACE ", "END_INTERFACE"),
+            PouKind::Method => ("METHOD ", "END_METHOD"),
+            PouKind::Getter => ("GET", "END_GET"),
+            PouKind::Setter => ("SET", "END_SET"),
         };
-        self.pou = Some(pou.span.start);
+        self.begin();
         self.put(opening);
+        match (pou.kind, own_access) {
+            (PouKind::Getter | PouKind::Setter, access) => {
+                self.access(" ", access, "");
+                self.end();
+            }
+            (_, access) => self.head(pou, access),
+        }
+        let around = self.pou.replace(pou.span.start);
+        pou.blocks.iter().for_each(|block| self.block_of_variables(block));
+        self.members(&pou.members);
+        self.indented(|writer| writer.statements(&pou.body));
+        self.line(closing);
+        self.pou = around;
+    }
+
+    /// The name of a POU with the keywords around it, and its result type.
+    fn head(&mut self, pou: &'u Pou<'s>, access: Option<Access>) {
+        let Modifiers {
+            access: _,
+            is_abstract,
+            is_final,
+            is_override,
+        } = pou.modifiers;
+        self.access("", access, " ");
+        for (is_written, word) in [
+            (is_abstract, "ABSTRACT "),
+            (is_final, "FINAL "),
+            (is_override, "OVERRIDE "),
+        ] {
+            self.put(if is_written { word } else { "" });
+        }
         self.put(pou.name.text);
+        for (word, names) in [(" EXTENDS ", &pou.extends), (" IMPLEMENTS ", &pou.implements)] {
+            self.put(if names.is_empty() { "" } else { word });
+            self.list(names, |writer, name| writer.put(writer.names.pou_name(name.text)));
+        }
         if let Some(result) = &pou.result {
             self.put(" : ");
             self.specification(result);
         }
         self.end();
-        pou.blocks.iter().for_each(|block| self.block_of_variables(block));
-        self.indented(|writer| writer.statements(&pou.body));
-        self.line(closing);
-        self.pou = None;
+    }
+
+    fn access(&mut self, before: &str, access: Option<Access>, behind: &str) {
+        let known = Access::ALL.into_iter().find(|(one, _)| Some(*one) == access);
+        if let Some((_, word)) = known {
+            self.out.extend([before, word, behind]);
+        }
+    }
+
+    /// Methods and properties. An access specifier that GET and SET do not share stands with each.
+    fn members(&mut self, members: &'u [Pou<'s>]) {
+        self.indented(|writer| {
+            for parts in members.chunk_by(|one, next| one.name.span == next.name.span) {
+                if parts[0].kind == PouKind::Method {
+                    writer.pou(&parts[0], parts[0].modifiers.access);
+                    continue;
+                }
+                let access = parts[0].modifiers.access;
+                let is_shared = parts.iter().all(|part| part.modifiers.access == access);
+                writer.begin();
+                writer.put("PROPERTY ");
+                writer.head(&parts[0], access.filter(|_| is_shared));
+                for part in parts {
+                    let access = part.modifiers.access.filter(|_| !is_shared);
+                    writer.indented(|writer| writer.pou(part, access));
+                }
+                writer.line("END_PROPERTY");
+            }
+        });
     }
 
     fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
@@ -51,12 +117,14 @@ impl<'u, 's> Writer<'u, 's> {
         self.put(match block.kind {
             VariableKind::Local => "VAR",
             VariableKind::Temporary => "VAR_TEMP",
+            VariableKind::Instance => "VAR_INST",
             VariableKind::Input => "VAR_INPUT",
             VariableKind::Output => "VAR_OUTPUT",
             VariableKind::InOut => "VAR_IN_OUT",
             VariableKind::External => "VAR_EXTERNAL",
             VariableKind::Global => "VAR_GLOBAL",
         });
+        self.access(" ", block.access, "");
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
             self.put(" ");
@@ -87,6 +155,10 @@ impl<'u, 's> Writer<'u, 's> {
             for declared in types {
                 writer.begin();
                 writer.put(declared.name.text);
+                if let Some(base) = declared.extends {
+                    writer.put(" EXTENDS ");
+                    writer.type_name(&base);
+                }
                 writer.declared(&declared.specification, declared.initializer.as_ref());
             }
         });

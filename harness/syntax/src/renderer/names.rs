@@ -2,8 +2,8 @@
 //! variables to spell fields too.
 
 use crate::tree::{
-    CaseFolded, Declaration, Pou, SourceUnit, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup,
+    CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
+    VariableBlock, VariableGroup, own_instance,
 };
 use rustc_hash::FxHashMap;
 
@@ -22,6 +22,15 @@ pub(super) enum NameShape<'u, 's> {
 /// A declaration: its spelling, and what is declared.
 type NameEntry<'u, 's> = (&'s str, NameShape<'u, 's>);
 
+/// Where a name is looked for that the POU or structure at a place does not declare.
+#[derive(Clone, Copy)]
+struct Outer<'u, 's> {
+    /// The POU around a method; any other POU itself.
+    owner: Option<&'u Pou<'s>>,
+    /// The name behind EXTENDS.
+    base: Option<&'s str>,
+}
+
 /// The most aliases that are followed; a cycle of them is no type.
 const MAX_ALIASES: usize = 64;
 
@@ -34,6 +43,8 @@ pub(super) struct Names<'u, 's> {
     values: FxHashMap<CaseFolded<'s>, &'s str>,
     /// The variables of a POU or the fields of a structure, by the place of the POU or the structure.
     members: FxHashMap<(u32, CaseFolded<'s>), NameEntry<'u, 's>>,
+    /// The POU around a method, and the one or the structure that another extends, by its place.
+    outer: FxHashMap<u32, Outer<'u, 's>>,
 }
 
 impl<'u, 's> Names<'u, 's> {
@@ -50,6 +61,11 @@ impl<'u, 's> Names<'u, 's> {
                             (name, NameShape::Typed(&declared.specification)),
                         );
                         names.declare_parts(&declared.specification);
+                        if let Some(base) = declared.extends {
+                            let base = Some(base.text);
+                            let place = declared.specification.span.start;
+                            names.outer.insert(place, Outer { owner: None, base });
+                        }
                     }
                 }
                 Declaration::Globals(block) => names.declare_globals(block),
@@ -67,9 +83,62 @@ impl<'u, 's> Names<'u, 's> {
     fn declare_pou(&mut self, pou: &'u Pou<'s>) {
         self.pous
             .insert(CaseFolded(pou.name.text), (pou.name.text, NameShape::Pou(pou)));
+        self.declare_in(pou, pou);
+    }
+
+    /// Declares the variables, methods and properties of a POU; `owner` is the one that it is a member of, or itself.
+    fn declare_in(&mut self, pou: &'u Pou<'s>, owner: &'u Pou<'s>) {
+        let place = pou.span.start;
         pou.blocks
             .iter()
-            .for_each(|block| self.declare_members(pou.span.start, &block.groups));
+            .for_each(|block| self.declare_members(place, &block.groups));
+        let outer = Outer {
+            owner: Some(owner),
+            base: pou.extends.first().map(|base| base.text),
+        };
+        self.outer.insert(place, outer);
+        for member in &pou.members {
+            let name = member.name.text;
+            let shape = match (&member.result, member.kind) {
+                (Some(ty), PouKind::Getter | PouKind::Setter) => NameShape::Typed(ty),
+                _ => NameShape::Pou(member),
+            };
+            let key = (place, CaseFolded(name));
+            self.members.entry(key).or_insert((name, shape));
+            self.declare_in(member, pou);
+        }
+    }
+
+    /// Finds a name in the POU or structure at a place, or else in those around it and those that it extends.
+    fn find_in(&self, mut place: u32, name: &'s str) -> Option<NameEntry<'u, 's>> {
+        for _ in 0..MAX_ALIASES {
+            if let Some(found) = self.members.get(&(place, CaseFolded(name))) {
+                return Some(*found);
+            }
+            let outer = self.outer.get(&place)?;
+            let around = outer.owner.map(|owner| owner.span.start);
+            place = match around.filter(|around| *around != place) {
+                Some(around) => around,
+                None => self.place(self.shape_of(outer.base?)?)?,
+            };
+        }
+        None
+    }
+
+    /// What the name of a type or POU declares.
+    fn shape_of(&self, name: &'s str) -> Option<NameShape<'u, 's>> {
+        let key = CaseFolded(name);
+        let found = self.types.get(&key).or_else(|| self.pous.get(&key));
+        found.map(|(_, shape)| *shape)
+    }
+
+    /// The place by which the members of something of this shape are found.
+    fn place(&self, of: NameShape<'u, 's>) -> Option<u32> {
+        match self.resolve(of) {
+            NameShape::Unknown => None,
+            NameShape::Typed(specification) => Some(specification.span.start),
+            NameShape::Pou(pou) => Some(pou.span.start),
+        }
     }
 
     fn declare_globals(&mut self, block: &'u VariableBlock<'s>) {
@@ -116,23 +185,30 @@ impl<'u, 's> Names<'u, 's> {
 
     /// A name that stands alone in the POU at `pou`.
     pub(super) fn variable(&self, pou: Option<u32>, name: &'s str) -> NameEntry<'u, 's> {
-        let local = pou.and_then(|pou| self.members.get(&(pou, CaseFolded(name))));
-        let found = local
-            .or_else(|| self.globals.get(&CaseFolded(name)))
-            .or_else(|| self.pous.get(&CaseFolded(name)));
+        let found = pou
+            .and_then(|pou| self.find_in(pou, name))
+            .or_else(|| self.globals.get(&CaseFolded(name)).copied())
+            .or_else(|| self.pous.get(&CaseFolded(name)).copied());
         let value = || self.values.get(&CaseFolded(name)).copied().unwrap_or(name);
-        found.copied().unwrap_or_else(|| (value(), NameShape::Unknown))
+        found
+            .or_else(|| self.own_instance(pou?, name))
+            .unwrap_or_else(|| (value(), NameShape::Unknown))
+    }
+
+    /// The POU whose instance THIS or SUPER names in the POU at a place.
+    fn own_instance(&self, place: u32, name: &'s str) -> Option<NameEntry<'u, 's>> {
+        let owner = self.outer.get(&place)?.owner?;
+        let shape = match own_instance(name)? {
+            "THIS" => NameShape::Pou(owner),
+            _ => self.shape_of(owner.extends.first()?.text)?,
+        };
+        Some((name, shape))
     }
 
     /// A field of, or a parameter of, something of this shape.
     pub(super) fn member(&self, of: NameShape<'u, 's>, name: &'s str) -> NameEntry<'u, 's> {
-        let place = match self.resolve(of) {
-            NameShape::Unknown => None,
-            NameShape::Typed(specification) => Some(specification.span.start),
-            NameShape::Pou(pou) => Some(pou.span.start),
-        };
-        let found = place.and_then(|place| self.members.get(&(place, CaseFolded(name))));
-        found.copied().unwrap_or((name, NameShape::Unknown))
+        let found = self.place(of).and_then(|place| self.find_in(place, name));
+        found.unwrap_or((name, NameShape::Unknown))
     }
 
     /// An element of an array of this shape.
@@ -191,11 +267,10 @@ impl<'u, 's> Names<'u, 's> {
                 }
                 _ => return shape,
             };
-            let key = CaseFolded(name.text);
-            let Some((_, named)) = self.types.get(&key).or_else(|| self.pous.get(&key)) else {
+            let Some(named) = self.shape_of(name.text) else {
                 break;
             };
-            shape = *named;
+            shape = named;
         }
         NameShape::Unknown
     }

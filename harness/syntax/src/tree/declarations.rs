@@ -6,7 +6,7 @@ use crate::source::Span;
 /// A declaration at the top level of a source text.
 #[derive(PartialEq, Debug)]
 pub enum Declaration<'s> {
-    /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
+    /// PROGRAM, FUNCTION, FUNCTION_BLOCK, CLASS or INTERFACE.
     Pou(Pou<'s>),
     /// TYPE … END_TYPE.
     Types(Vec<TypeDeclaration<'s>>),
@@ -25,25 +25,99 @@ pub enum PouKind {
     Function,
     /// FUNCTION_BLOCK.
     FunctionBlock,
+    /// CLASS: a function block without statements of its own.
+    Class,
+    /// INTERFACE: its members have no statements.
+    Interface,
+    /// METHOD, a member of one of the others.
+    Method,
+    /// GET of a PROPERTY.
+    Getter,
+    /// SET of a PROPERTY.
+    Setter,
+}
+
+impl PouKind {
+    /// Returns whether the POU is a member of another one.
+    #[must_use]
+    pub const fn is_member(self) -> bool {
+        matches!(self, PouKind::Method | PouKind::Getter | PouKind::Setter)
+    }
+}
+
+/// An access specifier.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Access {
+    /// PUBLIC.
+    Public,
+    /// PRIVATE.
+    Private,
+    /// PROTECTED.
+    Protected,
+    /// INTERNAL.
+    Internal,
+}
+
+impl Access {
+    /// The access specifiers and their keywords.
+    pub const ALL: [(Access, &'static str); 4] = [
+        (Access::Public, "PUBLIC"),
+        (Access::Private, "PRIVATE"),
+        (Access::Protected, "PROTECTED"),
+        (Access::Internal, "INTERNAL"),
+    ];
+}
+
+/// The keywords before the name of a POU.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Modifiers {
+    /// The access specifier.
+    pub access: Option<Access>,
+    /// ABSTRACT.
+    pub is_abstract: bool,
+    /// FINAL.
+    pub is_final: bool,
+    /// OVERRIDE.
+    pub is_override: bool,
 }
 
 /// A program organization unit.
 #[derive(Debug)]
 pub struct Pou<'s> {
-    /// PROGRAM, FUNCTION or FUNCTION_BLOCK.
+    /// The kind.
     pub kind: PouKind,
-    /// The name.
+    /// The keywords before the name.
+    pub modifiers: Modifiers,
+    /// The name; the GET and the SET of a property both have the property's, at the same place.
     pub name: Name<'s>,
-    /// The result type of a function; `None` for other kinds, and for a function without a result.
+    /// The names behind EXTENDS.
+    pub extends: Vec<Name<'s>>,
+    /// The names behind IMPLEMENTS.
+    pub implements: Vec<Name<'s>>,
+    /// The result type of a function or method, and the type of a property: with its GET, or else with its SET. `None` for other kinds,
+    /// and where there is no result.
     pub result: Option<TypeSpecification<'s>>,
     /// The variable sections.
     pub blocks: Vec<VariableBlock<'s>>,
     /// The statements.
     pub body: Vec<Statement>,
+    /// The methods and properties, GET before SET.
+    pub members: Vec<Pou<'s>>,
     /// From the first keyword to the last.
     pub span: Span,
     /// The closing keyword.
     pub end: Span,
+}
+
+impl Pou<'_> {
+    /// Returns whether the POU has anything of object orientation.
+    #[must_use]
+    pub fn is_object(&self) -> bool {
+        let is_plain = self.members.is_empty() && self.extends.is_empty() && self.implements.is_empty();
+        !is_plain
+            || self.modifiers != Modifiers::default()
+            || matches!(self.kind, PouKind::Class | PouKind::Interface)
+    }
 }
 
 /// The section that a variable is declared in.
@@ -53,6 +127,8 @@ pub enum VariableKind {
     Local,
     /// VAR_TEMP.
     Temporary,
+    /// VAR_INST, of a method.
+    Instance,
     /// VAR_INPUT.
     Input,
     /// VAR_OUTPUT.
@@ -70,6 +146,8 @@ pub enum VariableKind {
 pub struct VariableBlock<'s> {
     /// The kind of section.
     pub kind: VariableKind,
+    /// The access specifier.
+    pub access: Option<Access>,
     /// Whether CONSTANT stands behind the section's keyword.
     pub constant: bool,
     /// RETAIN or NON_RETAIN as written; it has no effect on a run, and is kept for the renderer.
@@ -98,6 +176,8 @@ pub struct VariableGroup<'s> {
 pub struct TypeDeclaration<'s> {
     /// The new type's name.
     pub name: Name<'s>,
+    /// The structure that this one extends.
+    pub extends: Option<Name<'s>>,
     /// The type that it stands for.
     pub specification: TypeSpecification<'s>,
     /// The default initial value.

@@ -64,13 +64,19 @@ impl PartialEq for VariableBlock<'_> {
     fn eq(&self, other: &Self) -> bool {
         let VariableBlock {
             kind,
+            access,
             constant,
             retention,
             groups,
             span: _,
         } = self;
-        (*kind, *constant, retention.map(CaseFolded))
-            == (other.kind, other.constant, other.retention.map(CaseFolded))
+        (*kind, *access, *constant, retention.map(CaseFolded))
+            == (
+                other.kind,
+                other.access,
+                other.constant,
+                other.retention.map(CaseFolded),
+            )
             && *groups == other.groups
     }
 }
@@ -79,21 +85,26 @@ impl PartialEq for Pou<'_> {
     fn eq(&self, other: &Self) -> bool {
         let Pou {
             kind,
+            modifiers,
             name,
+            extends,
+            implements,
             result,
             blocks,
             body,
+            members,
             span: _,
             end: _,
         } = self;
-        (kind, name, result, blocks, body)
+        (kind, modifiers, name, extends, implements)
             == (
                 &other.kind,
+                &other.modifiers,
                 &other.name,
-                &other.result,
-                &other.blocks,
-                &other.body,
+                &other.extends,
+                &other.implements,
             )
+            && (result, blocks, body, members) == (&other.result, &other.blocks, &other.body, &other.members)
     }
 }
 

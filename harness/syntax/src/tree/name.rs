@@ -14,6 +14,15 @@ pub struct Name<'s> {
     pub span: Span,
 }
 
+/// Returns `THIS` or `SUPER` for a name of the instance whose code is running, behind which `^` may stand; `None` for other names.
+#[must_use]
+pub fn own_instance(name: &str) -> Option<&'static str> {
+    let word = name.trim_end_matches('^');
+    ["THIS", "SUPER"]
+        .into_iter()
+        .find(|own| own.eq_ignore_ascii_case(word))
+}
+
 impl<'s> Name<'s> {
     /// Returns the name of a type without the namespaces that qualify it: `CALENDAR` of `OSCAT_BASIC.CALENDAR`.
     #[must_use]

@@ -165,4 +165,7 @@ codes! {
     S0001 AssignmentToConstant,
     S0002 LimitExceeded,
     S0003 NarrowingConversion,
+    S0010 InterfaceMemberMissing,
+    S0011 InheritanceInvalid,
+    S0012 MemberNotAccessible,
 }
