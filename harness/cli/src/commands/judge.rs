@@ -70,6 +70,7 @@ struct Judge<'a, 's> {
 
 impl Judge<'_, '_> {
     fn folder(&mut self, folder: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
+        ensure!(folder.is_dir(), "{} is no folder", folder.display());
         let mut exit = Exit::AsExpected;
         let mut files = Vec::new();
         for entry in WalkDir::new(folder).sort_by_file_name() {
