@@ -5,6 +5,7 @@ use crate::page::{literal, shown};
 use std::fmt::Write;
 use stickler_run::{Fact, breaks_reading, expected_facts};
 use stickler_suite::{Acceptance, Case, ExpectedValue, Sources};
+use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{Declaration, Pou, PouKind};
 use stickler_types::{Dialect, ElementaryType, Value};
 
@@ -92,10 +93,14 @@ fn checked(case: &Case) -> Result<String, &'static str> {
     let (Some(main), None) = (programs.next(), programs.next()) else {
         return Err("they have no program, or several");
     };
-    let body = &text[main.span.start as usize..main.end.start as usize];
-    let upper = body.to_ascii_uppercase();
-    if upper.contains("RETURN") || upper.contains(CHECK) {
+    let inside = main.span.start..main.span.end;
+    let words = stickler_syntax::tokens(text, Dialect::of(case.dialect)).list;
+    let mut words = words.iter().filter(|word| inside.contains(&word.span.start));
+    if words.any(|word| word.kind == TokenKind::Return) {
         return Err("they may end before their last statement");
+    }
+    if text.to_ascii_uppercase().contains(CHECK) {
+        return Err("they have names that begin with CHECK_");
     }
     let counts = case.scans > 1 || !case.set.is_empty();
     let mut declared = String::from("VAR\n");
@@ -162,18 +167,18 @@ fn indented(statements: &str) -> String {
 fn condition(expected: &ExpectedValue) -> Option<String> {
     let ExpectedValue { name, value, .. } = expected;
     match value {
-        Value::Plain { ty, raw } if ty.is_real() => {
-            let number = match ty {
-                ElementaryType::Real => f64::from(f32::from_bits(u32::try_from(*raw).ok()?)),
-                _ => f64::from_bits(*raw),
-            };
+        Value::Plain { ty, .. } if ty.is_real() => {
+            let number = value.real()?;
             if number == 0.0 && number.is_sign_negative() {
                 return None;
             }
-            let greatest = match ty {
-                ElementaryType::Real => "REAL#3.4028235E+38",
-                _ => "LREAL#1.7976931348623157E+308",
-            };
+            let greatest = literal(&Value::of_real(
+                *ty,
+                match ty {
+                    ElementaryType::Real => f32::MAX.into(),
+                    _ => f64::MAX,
+                },
+            ))?;
             Some(match literal(value) {
                 Some(literal) => format!("{name} = {literal}"),
                 None if number.is_nan() => format!("NOT ({name} = {name})"),
