@@ -224,7 +224,7 @@ pub struct SourceArguments {
     pub dialect: DialectName,
 }
 
-/// Source files that are one program, and the dialect to read it in.
+/// A program of one source file or several, and the dialect to read it in.
 #[derive(Args, Debug)]
 pub struct ProgramArguments {
     /// Files of Structured Text that are one program, or folders of files *.st; `-` reads stdin

@@ -1,10 +1,11 @@
 //! Reads source files as bytes, whatever their encoding; several of them as one program.
 
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use std::fs;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use stickler_types::Diagnostic;
+use walkdir::WalkDir;
 
 /// Reads the bytes of a file, or of stdin where the path is `-`; also returns the name to show for it.
 ///
@@ -32,7 +33,7 @@ pub fn text_if_any(path: &Path) -> anyhow::Result<Option<String>> {
     }
 }
 
-/// Source files that are one program: their texts, one behind the other.
+/// A program of one source file or several, whose texts stand one behind the other.
 pub struct Program {
     /// The bytes of all files, each of which ends with its line.
     pub bytes: Vec<u8>,
@@ -55,11 +56,7 @@ impl Program {
                 program.add(path)?;
                 continue;
             }
-            let files = files_of(path)?;
-            if files.is_empty() {
-                bail!("no file of {} ends with .st", path.display());
-            }
-            files.iter().try_for_each(|file| program.add(file))?;
+            files_of(path)?.iter().try_for_each(|file| program.add(file))?;
         }
         Ok(program)
     }
@@ -81,9 +78,12 @@ impl Program {
     /// Returns the name of the file in which a line of the program stands, and the lines before the file.
     #[must_use]
     pub fn file_of(&self, line: u32) -> (&str, u32) {
-        let behind = self.files.partition_point(|(_, before)| *before < line).max(1);
-        let (name, before) = &self.files[behind - 1];
+        let (name, before) = &self.files[self.index_of(line)];
         (name, *before)
+    }
+
+    fn index_of(&self, line: u32) -> usize {
+        self.files.partition_point(|(_, before)| *before < line).max(1) - 1
     }
 
     /// Returns what to call all of it: the only file, or the number of files.
@@ -101,32 +101,34 @@ impl Program {
         let mut files: Vec<(&str, Vec<Diagnostic>)> =
             self.files.iter().map(|(name, _)| (&**name, Vec::new())).collect();
         for mut diagnostic in diagnostics {
-            let line = diagnostic.line.unwrap_or(1);
-            let behind = self.files.partition_point(|(_, before)| *before < line).max(1);
-            let before = self.files[behind - 1].1;
+            let index = self.index_of(diagnostic.line.unwrap_or(1));
+            let before = self.files[index].1;
             diagnostic.line = diagnostic.line.map(|line| line - before);
             diagnostic.end_line = diagnostic.end_line.map(|line| line - before);
-            files[behind - 1].1.push(diagnostic);
+            files[index].1.push(diagnostic);
         }
         files
     }
 }
 
 /// Returns the files `*.st` of a folder and of the folders in it, in the order of their names.
-fn files_of(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let cannot = || format!("cannot read {}", folder.display());
-    let entries: io::Result<Vec<fs::DirEntry>> = fs::read_dir(folder).with_context(cannot)?.collect();
-    let mut entries = entries.with_context(cannot)?;
-    entries.sort_by_key(fs::DirEntry::file_name);
+///
+/// # Errors
+/// A folder that cannot be read, or has no such file.
+pub fn files_of(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
-    for entry in entries {
-        let path = entry.path();
-        // A link to a folder could lead back here.
-        if entry.file_type().with_context(cannot)?.is_dir() {
-            files.extend(files_of(&path)?);
-        } else if path.extension().is_some_and(|ext| ext.eq_ignore_ascii_case("st")) {
+    // A link to a folder could lead back here, and none is followed.
+    for entry in WalkDir::new(folder).sort_by_file_name() {
+        let path = entry
+            .with_context(|| format!("cannot read {}", folder.display()))?
+            .into_path();
+        let is_source = path
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("st"));
+        if is_source && path.is_file() {
             files.push(path);
         }
     }
+    ensure!(!files.is_empty(), "no file of {} ends with .st", folder.display());
     Ok(files)
 }

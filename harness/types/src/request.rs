@@ -139,6 +139,16 @@ pub struct ClockSetting {
 }
 
 impl ClockSetting {
+    /// Builds the settings of scans that are `cycle` nanoseconds apart, of which the first begins with the program.
+    #[must_use]
+    pub fn each(cycle: i64, scans: u32) -> Vec<ClockSetting> {
+        let at = |before: u32| ClockSetting {
+            before,
+            nanoseconds: cycle.saturating_mul(i64::from(before) - 1),
+        };
+        (1..=scans).map(at).collect()
+    }
+
     /// Builds the setting from a time literal; `None` if the value is neither a `TIME` nor an `LTIME`.
     #[must_use]
     pub fn at(before: u32, time: &Value) -> Option<ClockSetting> {

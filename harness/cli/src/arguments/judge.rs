@@ -7,9 +7,9 @@ use stickler_types::DialectName;
 /// `stickler judge`.
 #[derive(Args, Debug)]
 pub struct JudgeArguments {
-    /// A file of Structured Text
+    /// Files of Structured Text that are one program, or folders of files *.st; `-` reads stdin
     #[arg(value_name = "FILE", required_unless_present = "batch")]
-    pub file: Option<PathBuf>,
+    pub files: Vec<PathBuf>,
     /// Read inputs, clock and expected values by scan from FILE, JSON or CSV
     #[arg(
         long,
@@ -19,7 +19,7 @@ pub struct JudgeArguments {
     )]
     pub trace: Option<PathBuf>,
     /// Judge each NAME.st in DIR and the folders in it by NAME.json or NAME.csv, or else by trace.json or trace.csv beside it
-    #[arg(long, value_name = "DIR", conflicts_with = "file")]
+    #[arg(long, value_name = "DIR", conflicts_with = "files")]
     pub batch: Option<PathBuf>,
     /// Call this function block once a scan [default: the program of the file; in a file without one its last function block,
     /// or else its last function]

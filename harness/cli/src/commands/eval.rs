@@ -2,15 +2,13 @@
 
 use crate::arguments::EvalArguments;
 use crate::exit::Exit;
+use crate::running::running;
 use crate::source_file::Program;
 use crate::{output, snippet};
 use anyhow::{bail, ensure};
 use std::io::{self, Write};
 use stickler_reference::Limits;
-use stickler_syntax::tree::{Declaration, PouKind};
-use stickler_types::{
-    ClockSetting, Diagnostic, Dialect, DialectName, Observation, Outcome, RunRequest, Value,
-};
+use stickler_types::{ClockSetting, Diagnostic, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of values that are shown where no variable is named.
 const MAX_VALUES: usize = 1000;
@@ -26,12 +24,15 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     let program = Program::read(&arguments.program.files)?;
     let dialect = arguments.program.dialect;
     let (text, diagnostics) = stickler_reference::check_bytes(&program.bytes, dialect);
-    snippet::write(
-        &diagnostics,
-        &text,
-        |line| program.file_of(line),
-        &mut anstream::stderr(),
-    )?;
+    let show = |diagnostics: &[Diagnostic], text: &str| {
+        snippet::write(
+            diagnostics,
+            text,
+            |line| program.file_of(line),
+            &mut anstream::stderr(),
+        )
+    };
+    show(&diagnostics, &text)?;
     if diagnostics.iter().any(Diagnostic::is_error) {
         return Ok(Exit::Failures);
     }
@@ -42,12 +43,10 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     let names = names(arguments, &text);
     let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
     let clock = clock(arguments)?;
-    let mut set = arguments.set.clone();
-    set.sort_by_key(|setting| setting.before);
     let request = RunRequest {
         scans: arguments.scans,
         clock: &clock,
-        set: &set,
+        set: &arguments.set,
         ..RunRequest::once(dialect, &text, &observe)
     };
     match stickler_reference::run(&request, Limits::default()) {
@@ -69,49 +68,12 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
             Ok(Exit::Failures)
         }
         Ok(Outcome::Rejected { diagnostics }) => {
-            snippet::write(
-                &diagnostics,
-                &text,
-                |line| program.file_of(line),
-                &mut anstream::stderr(),
-            )?;
+            show(&diagnostics, &text)?;
             Ok(Exit::Failures)
         }
         Ok(other) => bail!("the reference answered {other}"),
         Err(error) => bail!(error),
     }
-}
-
-/// Returns a text with a configuration that runs a PROGRAM, in place of those that it has; their global variables stay where they are.
-fn running(text: &str, name: &str, dialect: DialectName) -> anyhow::Result<String> {
-    let (unit, _) = stickler_syntax::parse(text, Dialect::of(dialect));
-    let mut programs = unit.pous().filter(|pou| pou.kind == PouKind::Program);
-    ensure!(
-        programs.any(|pou| pou.name.is(name)),
-        "there is no PROGRAM `{name}`"
-    );
-    let mut running = String::with_capacity(text.len());
-    let blank = |text: &str| text.replace(|character| character != '\n', " ");
-    let mut at = 0;
-    for declaration in &unit.declarations {
-        let Declaration::Configuration(configuration) = declaration else {
-            continue;
-        };
-        running.push_str(&text[at..configuration.span.start as usize]);
-        at = configuration.span.start as usize;
-        for globals in &configuration.globals {
-            running.push_str(&blank(&text[at..globals.span.start as usize]));
-            running.push_str(globals.span.text(text));
-            at = globals.span.end as usize;
-        }
-        running.push_str(&blank(&text[at..configuration.span.end as usize]));
-        at = configuration.span.end as usize;
-    }
-    running.push_str(&text[at..]);
-    running.push_str(&format!(
-        "\nCONFIGURATION stickler RESOURCE here ON this PROGRAM {name} : {name}; END_RESOURCE END_CONFIGURATION\n"
-    ));
-    Ok(running)
 }
 
 /// Returns the time before each scan, where some passes between them.
@@ -123,11 +85,7 @@ fn clock(arguments: &EvalArguments) -> anyhow::Result<Vec<ClockSetting>> {
         arguments.scans <= MAX_TIMED_SCANS,
         "--cycle goes with at most {MAX_TIMED_SCANS} scans; make --scans smaller"
     );
-    let at = |before: u32| ClockSetting {
-        before,
-        nanoseconds: cycle.saturating_mul(i64::from(before) - 1),
-    };
-    Ok((1..=arguments.scans).map(at).collect())
+    Ok(ClockSetting::each(cycle, arguments.scans))
 }
 
 /// Returns the names of the variables on the command line, or of all variables where none is named.

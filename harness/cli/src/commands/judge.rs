@@ -8,7 +8,8 @@ mod variables;
 use crate::arguments::JudgeArguments;
 use crate::engines::{self, REFERENCE};
 use crate::exit::Exit;
-use crate::{interrupt, output, snippet, source_file};
+use crate::source_file::{Program, files_of};
+use crate::{interrupt, output, snippet};
 use anyhow::{Context, bail, ensure};
 use caller::Judged;
 use result::TraceResult;
@@ -20,7 +21,6 @@ use stickler_engines::Session;
 use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, counted};
 use trace::{Request, Trace};
 use variables::{MAX_VARIABLES, Variables};
-use walkdir::WalkDir;
 
 /// Judges the traces of a file, or of all files of a folder.
 ///
@@ -42,10 +42,10 @@ pub fn execute(arguments: &JudgeArguments, out: &mut dyn Write) -> anyhow::Resul
         traces: 0,
         failed: 0,
     };
-    let exit = match (&arguments.batch, &arguments.file, &arguments.trace) {
-        (Some(folder), ..) => judge.folder(folder, out)?,
-        (None, Some(file), Some(trace)) => judge.file(file, trace, out)?,
-        _ => bail!("name a file and its --trace, or a folder with --batch"),
+    let exit = match (&arguments.batch, &arguments.trace) {
+        (Some(folder), _) => judge.folder(folder, out)?,
+        (None, Some(trace)) => judge.files(&arguments.files, trace, out)?,
+        (None, None) => bail!("name files and their --trace, or a folder with --batch"),
     };
     if !arguments.json {
         let traces = counted(judge.traces, "trace", "traces");
@@ -72,20 +72,9 @@ impl Judge<'_, '_> {
     fn folder(&mut self, folder: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
         ensure!(folder.is_dir(), "{} is no folder", folder.display());
         let mut exit = Exit::AsExpected;
-        let mut files = Vec::new();
-        for entry in WalkDir::new(folder).sort_by_file_name() {
-            let path = entry?.into_path();
-            if path
-                .extension()
-                .is_some_and(|ending| ending.eq_ignore_ascii_case("st"))
-            {
-                files.push(path);
-            }
-        }
-        ensure!(!files.is_empty(), "{}: no file NAME.st in it", folder.display());
-        for file in files {
+        for file in files_of(folder)? {
             let judged = match trace_of(&file) {
-                Some(trace) => self.file(&file, &trace, out),
+                Some(trace) => self.files(slice::from_ref(&file), &trace, out),
                 None => Err(anyhow::anyhow!(
                     "{}: neither a trace of its name nor trace.json or trace.csv is beside it",
                     file.display()
@@ -103,11 +92,11 @@ impl Judge<'_, '_> {
         Ok(exit)
     }
 
-    /// Judges all traces of a file.
-    fn file(&mut self, file: &Path, traces: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
-        let (bytes, path) = source_file::read(file)?;
+    /// Judges all traces of a program.
+    fn files(&mut self, files: &[PathBuf], traces: &Path, out: &mut dyn Write) -> anyhow::Result<Exit> {
+        let source = Program::read(files)?;
         let traces = trace::read(traces)?;
-        let program = self.program(&bytes, &path, out)?;
+        let program = self.program(&source, out)?;
         let mut exit = Exit::AsExpected;
         for (number, trace) in (1..).zip(&traces) {
             let mut result = match &program {
@@ -117,7 +106,7 @@ impl Judge<'_, '_> {
                 }),
                 Err(reason) => TraceResult::without_values("rejected", reason.clone()),
             };
-            result.program.clone_from(&path);
+            result.program = source.name();
             result.trace = match trace.name.as_str() {
                 "" => format!("trace {number}"),
                 name => name.to_owned(),
@@ -138,18 +127,17 @@ impl Judge<'_, '_> {
     /// Returns a text with the program to execute and its variables, or the first diagnostic where the reference rejects it.
     fn program(
         &self,
-        bytes: &[u8],
-        path: &str,
+        source: &Program,
         out: &mut dyn Write,
     ) -> anyhow::Result<Result<(Judged, Variables), String>> {
         let dialect = self.arguments.dialect;
-        let (text, diagnostics) = stickler_reference::check_bytes(bytes, dialect);
+        let (text, diagnostics) = stickler_reference::check_bytes(&source.bytes, dialect);
         let unit = self.arguments.block.as_ref().or(self.arguments.function.as_ref());
         let (text, diagnostics) = match diagnostics.iter().any(Diagnostic::is_error) {
             true => (text, diagnostics),
             false => {
-                let judged = Judged::of(&text, dialect.rules(), unit.map(String::as_str));
-                let judged = judged.with_context(|| path.to_owned())?;
+                let judged = Judged::of(&text, dialect, unit.map(String::as_str));
+                let judged = judged.with_context(|| source.name())?;
                 match variables(&judged, dialect)? {
                     Ok(variables) => return Ok(Ok((judged, variables))),
                     Err(diagnostics) => (judged.text, diagnostics),
@@ -157,10 +145,17 @@ impl Judge<'_, '_> {
             }
         };
         if !self.arguments.json {
-            snippet::write(&diagnostics, &text, |_| (path, 0), out)?;
+            snippet::write(&diagnostics, &text, |line| source.file_of(line), out)?;
         }
         let first = diagnostics.iter().find(|one| one.is_error());
-        let reason = first.map(|one| format!("line {}: {}", one.line.unwrap_or_default(), one.message));
+        let reason = first.map(|one| {
+            let line = one.line.unwrap_or_default();
+            format!(
+                "line {}: {}",
+                line.saturating_sub(source.file_of(line).1),
+                one.message
+            )
+        });
         Ok(Err(reason.unwrap_or_default()))
     }
 
@@ -217,7 +212,7 @@ fn variables(judged: &Judged, dialect: DialectName) -> anyhow::Result<Result<Var
         ..RunRequest::once(dialect, &judged.text, &observe)
     };
     match stickler_reference::run(&request, stickler_reference::Limits::default()) {
-        Ok(Outcome::Executed { values, .. }) => Ok(Ok(Variables::new(values, judged.prefixes.clone()))),
+        Ok(Outcome::Executed { values, .. }) => Ok(Ok(Variables::new(values, judged.prefixes))),
         Ok(Outcome::Rejected { diagnostics }) => Ok(Err(diagnostics)),
         Ok(other) => bail!("the reference answered {other} before the first scan"),
         Err(error) => bail!(error),

@@ -1,9 +1,13 @@
 //! The program that calls a function block or function which is judged.
 
-use anyhow::bail;
+use crate::running::running;
+use anyhow::Context;
 use std::fmt::Write;
 use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
-use stickler_types::Dialect;
+use stickler_types::{Dialect, DialectName};
+
+/// The program that calls.
+const CALLER: &str = "stickler_judge";
 
 /// The instance of the function block in the program that calls it.
 const INSTANCE: &str = "stickler_block";
@@ -16,7 +20,7 @@ pub(super) struct Judged {
     /// The whole text.
     pub text: String,
     /// The paths that stand before the names of a trace, the first that fits first.
-    pub prefixes: Vec<String>,
+    pub prefixes: &'static [&'static str],
     /// The function whose result a trace calls by its name.
     pub function: Option<String>,
 }
@@ -33,11 +37,7 @@ impl Judged {
 
     /// Returns the name by which a trace knows the variable of a path.
     pub(super) fn shown(&self, path: &str) -> String {
-        let prefix = self
-            .prefixes
-            .iter()
-            .find(|prefix| path.starts_with(prefix.as_str()));
-        let name = &path[prefix.map_or(0, String::len)..];
+        let name = path.strip_prefix(self.prefixes[0]).unwrap_or(path);
         match (&self.function, name.strip_prefix(RESULT)) {
             (Some(function), Some(parts)) => format!("{function}{parts}"),
             _ => name.to_owned(),
@@ -49,75 +49,62 @@ impl Judged {
     ///
     /// # Errors
     /// No unit of that name, or nothing to call.
-    pub(super) fn of(text: &str, dialect: &Dialect, named: Option<&str>) -> anyhow::Result<Judged> {
-        let (unit, _) = stickler_syntax::parse(text, dialect);
-        let pous = || pous(&unit);
-        let last = |kind: PouKind| pous().filter(|pou| pou.kind == kind).last();
-        let called = match named {
-            Some(name) => {
-                let found = pous().find(|pou| pou.name.text.eq_ignore_ascii_case(name));
-                let Some(found) = found.filter(|found| found.kind != PouKind::Program) else {
-                    let called = pous().filter(|pou| pou.kind != PouKind::Program);
-                    let names: Vec<&str> = called.map(|pou| pou.name.text).collect();
-                    bail!(
-                        "there is no function block or function `{name}`; there are: {}",
-                        names.join(", ")
-                    );
-                };
-                found
-            }
-            None if last(PouKind::Program).is_some() => {
-                return Ok(Judged {
-                    text: text.to_owned(),
-                    prefixes: vec![String::new()],
-                    function: None,
-                });
-            }
-            None => match last(PouKind::FunctionBlock).or_else(|| last(PouKind::Function)) {
-                Some(called) => called,
-                None => bail!("the file has no program, function block or function that could be called"),
-            },
-        };
-        let caller = match called.kind {
-            PouKind::Function => caller_of_function(text, called),
-            _ => caller_of_block(text, called),
-        };
+    pub(super) fn of(text: &str, dialect: DialectName, named: Option<&str>) -> anyhow::Result<Judged> {
+        let (unit, _) = stickler_syntax::parse(text, Dialect::of(dialect));
+        let has_program = last(&unit, PouKind::Program).is_some();
+        if named.is_none() && has_program {
+            return Ok(Judged {
+                text: text.to_owned(),
+                prefixes: &[""],
+                function: None,
+            });
+        }
+        let called = called(&unit, named)?;
         let is_function = called.kind == PouKind::Function;
+        let caller = match is_function {
+            true => caller_of_function(text, called),
+            false => caller_of_block(text, called),
+        };
+        let all = format!("{text}\n{caller}");
+        // The program that calls runs alone.
+        let is_alone = !has_program && unit.declarations.iter().all(is_no_configuration);
         Ok(Judged {
-            text: format!("{}\n{caller}", without_programs(text, &unit)),
+            text: match is_alone {
+                true => all,
+                false => running(&all, CALLER, dialect)?,
+            },
             prefixes: match is_function {
-                true => vec![String::new()],
-                false => vec![format!("{INSTANCE}."), String::new()],
+                true => &[""],
+                false => &["stickler_block.", ""],
             },
             function: is_function.then(|| called.name.text.to_owned()),
         })
     }
 }
 
-fn pous<'t, 's>(unit: &'t SourceUnit<'s>) -> impl Iterator<Item = &'t Pou<'s>> {
-    unit.declarations
-        .iter()
-        .filter_map(|declaration| match declaration {
-            Declaration::Pou(pou) => Some(pou),
-            _ => None,
-        })
+/// Returns the last unit of a kind.
+fn last<'t, 's>(unit: &'t SourceUnit<'s>, kind: PouKind) -> Option<&'t Pou<'s>> {
+    unit.pous().rfind(|pou| pou.kind == kind)
 }
 
-/// Returns a text whose programs are blanks, so that only the caller runs.
-fn without_programs(text: &str, unit: &SourceUnit<'_>) -> String {
-    let mut text = text.to_owned();
-    for pou in pous(unit).filter(|pou| pou.kind == PouKind::Program) {
-        let range = pou.span.start as usize..pou.span.end as usize;
-        let blank: String = text[range.clone()]
-            .chars()
-            .flat_map(|letter| match letter {
-                '\n' | '\r' => vec![letter],
-                other => vec![' '; other.len_utf8()],
-            })
-            .collect();
-        text.replace_range(range, &blank);
-    }
-    text
+/// Returns the function block or function of a name, or the one to call where none is named.
+fn called<'t, 's>(unit: &'t SourceUnit<'s>, named: Option<&str>) -> anyhow::Result<&'t Pou<'s>> {
+    let Some(name) = named else {
+        let called = last(unit, PouKind::FunctionBlock).or_else(|| last(unit, PouKind::Function));
+        return called.context("the file has no program, function block or function that could be called");
+    };
+    let is_called = |pou: &&Pou<'_>| matches!(pou.kind, PouKind::Function | PouKind::FunctionBlock);
+    let callable: Vec<&Pou<'_>> = unit.pous().filter(is_called).collect();
+    let found = callable.iter().find(|pou| pou.name.is(name)).copied();
+    found.with_context(|| {
+        let names: Vec<&str> = callable.iter().map(|pou| pou.name.text).collect();
+        let names = names.join(", ");
+        format!("there is no function block or function `{name}`; there are: {names}")
+    })
+}
+
+fn is_no_configuration(declaration: &Declaration<'_>) -> bool {
+    !matches!(declaration, Declaration::Configuration(_))
 }
 
 fn caller_of_block(text: &str, block: &Pou<'_>) -> String {
@@ -148,9 +135,8 @@ fn caller_of_function(text: &str, function: &Pou<'_>) -> String {
     match &function.result {
         None => program(&variables, &call),
         Some(result) => {
-            let ty = &text[result.span.start as usize..result.span.end as usize];
             // Writing into a String does not fail.
-            let _ = writeln!(variables, "    {RESULT} : {ty};");
+            let _ = writeln!(variables, "    {RESULT} : {};", result.span.text(text));
             program(&variables, &format!("{RESULT} := {call}"))
         }
     }
@@ -167,18 +153,13 @@ fn parameters<'t, 's>(
 
 /// Writes the declaration of a variable of the type, and with the initial value, of a parameter.
 fn declare(text: &str, name: &str, group: &VariableGroup<'_>, into: &mut String) {
-    let part = |start: u32, end: u32| text.get(start as usize..end as usize).unwrap_or_default();
-    let ty = part(group.specification.span.start, group.specification.span.end);
+    let ty = group.specification.span.text(text);
     let _ = match &group.initializer {
-        Some(initial) => writeln!(
-            into,
-            "    {name} : {ty} := {};",
-            part(initial.span.start, initial.span.end)
-        ),
+        Some(initial) => writeln!(into, "    {name} : {ty} := {};", initial.span.text(text)),
         None => writeln!(into, "    {name} : {ty};"),
     };
 }
 
 fn program(variables: &str, call: &str) -> String {
-    format!("PROGRAM stickler_judge\nVAR\n{variables}END_VAR\n    {call}\nEND_PROGRAM\n")
+    format!("PROGRAM {CALLER}\nVAR\n{variables}END_VAR\n    {call}\nEND_PROGRAM\n")
 }

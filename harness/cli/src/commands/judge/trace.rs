@@ -115,14 +115,7 @@ impl Trace {
     /// A text that is no time, or a time before the one of the scan before.
     fn clock(&self, scans: u32, cycle: Option<i64>) -> anyhow::Result<Vec<ClockSetting>> {
         if self.clock.is_empty() {
-            let Some(cycle) = cycle else {
-                return Ok(Vec::new());
-            };
-            let at = |before: u32| ClockSetting {
-                before,
-                nanoseconds: cycle.saturating_mul(i64::from(before) - 1),
-            };
-            return Ok((1..=scans).map(at).collect());
+            return Ok(cycle.map_or_else(Vec::new, |cycle| ClockSetting::each(cycle, scans)));
         }
         let mut settings: Vec<ClockSetting> = Vec::with_capacity(self.clock.len());
         for (before, text) in (1..).zip(&self.clock) {

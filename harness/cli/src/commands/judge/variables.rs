@@ -3,7 +3,7 @@
 use anyhow::{Context, bail, ensure};
 use serde_json::Value as Json;
 use std::sync::Arc;
-use stickler_types::Value;
+use stickler_types::{ElementaryType, Value};
 
 /// The maximum number of elementary variables of a program that is judged.
 pub(super) const MAX_VARIABLES: usize = 100_000;
@@ -16,12 +16,12 @@ pub(super) struct Variables {
     /// The path of each, as the program names it, and the value.
     list: Vec<(Arc<str>, Value)>,
     /// The paths before which a trace names variables, the first that fits first.
-    prefixes: Vec<String>,
+    prefixes: &'static [&'static str],
 }
 
 impl Variables {
     /// Takes the variables with their values. A trace may leave out one of the prefixes before the name of a variable.
-    pub(super) fn new(values: Vec<(String, Value)>, prefixes: Vec<String>) -> Variables {
+    pub(super) fn new(values: Vec<(String, Value)>, prefixes: &'static [&'static str]) -> Variables {
         let list = values.into_iter().map(|(name, value)| (name.into(), value));
         Variables {
             list: list.collect(),
@@ -36,7 +36,7 @@ impl Variables {
     pub(super) fn spread(&self, name: &str, given: &Json) -> anyhow::Result<Vec<(Arc<str>, Value)>> {
         let paths = self.prefixes.iter().map(|prefix| format!("{prefix}{name}"));
         let Some(path) = paths.into_iter().find(|path| self.has(path)) else {
-            let prefix = self.prefixes.first().map_or("", String::as_str);
+            let prefix = self.prefixes[0];
             let known = self
                 .list
                 .iter()
@@ -160,13 +160,12 @@ fn value(given: &Json, like: &Value) -> Option<Value> {
             let typed = Value::parse(&text)
                 .ok()
                 .filter(|value| value.type_name() == ty.name());
-            let real = || match ty.is_real() {
-                true if ty.bits() == 32 => {
-                    Some(Value::plain(*ty, text.parse::<f32>().ok()?.to_bits().into()))
-                }
-                true => Some(Value::plain(*ty, text.parse::<f64>().ok()?.to_bits())),
-                false => None,
+            let number = match ty {
+                ElementaryType::Real => text.parse::<f32>().map(f64::from),
+                _ => text.parse::<f64>(),
             };
+            let is_real = |number: &f64| ty.is_real() && number.is_finite();
+            let real = || Some(Value::of_real(*ty, number.ok().filter(is_real)?));
             let untyped = || Value::parse(&format!("{}#{text}", ty.name())).ok();
             typed.or_else(real).or_else(untyped)
         }
@@ -175,20 +174,10 @@ fn value(given: &Json, like: &Value) -> Option<Value> {
 
 /// Returns whether a value is the expected one, or as a real number at most `tolerance` away from it.
 pub(super) fn agrees(found: &Value, expected: &Value, tolerance: f64) -> bool {
-    let near = |found: f64, expected: f64| found == expected || (found - expected).abs() <= tolerance;
-    match (number(found), number(expected)) {
-        (Some(found), Some(expected)) if !expected.is_nan() => near(found, expected),
-        _ => found.to_string().eq_ignore_ascii_case(&expected.to_string()),
-    }
-}
-
-/// Returns the number of a REAL or LREAL; `None` for other types.
-fn number(value: &Value) -> Option<f64> {
-    match value {
-        Value::Plain { ty, raw } if ty.is_real() && ty.bits() == 32 => {
-            Some(f32::from_bits(u32::try_from(*raw).ok()?).into())
+    match (found.real(), expected.real()) {
+        (Some(found), Some(expected)) if !expected.is_nan() => {
+            found == expected || (found - expected).abs() <= tolerance
         }
-        Value::Plain { ty, raw } if ty.is_real() => Some(f64::from_bits(*raw)),
-        _ => None,
+        _ => found.to_string().eq_ignore_ascii_case(&expected.to_string()),
     }
 }
