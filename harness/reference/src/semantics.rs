@@ -17,6 +17,7 @@ mod constant;
 mod constant_type;
 mod constants;
 mod contexts;
+mod configured;
 mod conversions;
 mod cycles;
 mod declare;

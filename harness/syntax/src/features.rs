@@ -314,6 +314,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             VariableKind::InOut => Some("var-in-out"),
             VariableKind::External => Some("var-external"),
             VariableKind::Global => Some("var-global"),
+            VariableKind::Configured => Some("var-config"),
         };
         if let Some(key) = key {
             self.note(key, section.span);
@@ -328,7 +329,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
         if let Some(location) = &group.location {
-            self.note("located-variable", location.span);
+            let key = match group.is_partly_located() {
+                true => "partly-located-variable",
+                false => "located-variable",
+            };
+            self.note(key, location.span);
         }
         let is_field = at.section.is_none();
         let initializer = group.initializer.as_ref();

@@ -195,7 +195,9 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
             None => (DeclaredKind::Field, None),
         };
-        for name in &group.names {
+        // Of VAR_CONFIG the names are paths to variables that are declared elsewhere.
+        let is_declared = kind != DeclaredKind::Variable(VariableKind::Configured);
+        for name in group.names.iter().filter(|_| is_declared) {
             self.declare(*name, kind, inside, Some(group));
         }
     }

@@ -152,6 +152,8 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
                     .flat_map(|resource| &resource.tasks)
                     .flat_map(|task| &task.properties);
                 properties.for_each(|(_, value)| walk.expression(*value, Place::TaskProperty));
+                let configured = configuration.configured.iter();
+                configured.for_each(|section| walk.section(section));
                 walk.at.outer = None;
             }
         }

@@ -19,6 +19,7 @@ impl PageSource<'_> {
             VariableKind::InOut => "inOutVars",
             VariableKind::External => "externalVars",
             VariableKind::Global => "globalVars",
+            VariableKind::Configured => "configVars",
         };
         let retention = block.retention.map(str::to_ascii_uppercase);
         let kept = match retention.as_deref() {

@@ -83,6 +83,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         initial_values: Vec::new(),
         passed_over: FxHashSet::default(),
         instances: Vec::new(),
+        configured: Vec::new(),
         routines: 0,
         has_members: false,
     };
@@ -108,6 +109,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
     declarer.resolve_deferred();
     declarer.link_members();
     declarer.choose_instances();
+    declarer.configure_variables();
     let memory = declarer.lay_out();
     declarer.model.declared_types = declarer
         .nodes
@@ -272,7 +274,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn configured_instances(&mut self) {
-        for configuration in std::mem::take(&mut self.configurations) {
+        for configuration in self.configurations.clone() {
             let mut names: FxHashMap<CaseFolded<'u>, ()> = FxHashMap::default();
             for resource in &configuration.resources {
                 let mut tasks: FxHashMap<CaseFolded<'u>, ()> = FxHashMap::default();

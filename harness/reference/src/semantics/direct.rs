@@ -22,6 +22,11 @@ impl<'u> Declarer<'u, '_> {
         for block in self.global_blocks.clone() {
             self.check_located_section(None, block, &mut known);
         }
+        let configurations = self.configurations.iter();
+        let configured = configurations.flat_map(|configuration| &configuration.configured);
+        for block in configured.collect::<Vec<_>>() {
+            self.check_located_section(None, block, &mut known);
+        }
     }
 
     fn check_located_section(
@@ -30,14 +35,21 @@ impl<'u> Declarer<'u, '_> {
         block: &VariableBlock<'u>,
         known: &mut KnownLocations,
     ) {
-        let located = || block.groups.iter().filter_map(|group| group.location);
+        let located = || {
+            let groups = block.groups.iter();
+            groups.filter_map(|group| Some((group.location?, group.is_partly_located())))
+        };
         let in_program = pou.is_none_or(|pou| pou.kind == PouKind::Program);
-        let holds = matches!(block.kind, VariableKind::Local | VariableKind::Global);
+        let is_configured = block.kind == VariableKind::Configured;
+        let holds = matches!(block.kind, VariableKind::Local | VariableKind::Global) || is_configured;
         let mixed = located().count() < block.groups.len() && !self.model.source.dialect.mixed_locations;
-        for location in located() {
+        let mixed = mixed && !is_configured;
+        for (location, is_partly_located) in located() {
             if mixed {
                 let message = "variables with a location stand in a section of their own";
                 self.report(Code::MixedLocatedVarDeclarationNotAllowed, location.span, message);
+            } else if is_partly_located && holds && pou.is_some() {
+                // A VAR_CONFIG completes it, if in a function block for each instance.
             } else if !in_program || !holds {
                 let message =
                     "locations of other variables than those of programs and global ones are not implemented";

@@ -69,6 +69,8 @@ pub(super) struct Model<'u> {
     pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
     pub(super) instances: Vec<Instance<'u>>,
+    /// The initial values that VAR_CONFIG sections give.
+    pub(super) configured: Vec<ConfiguredValue<'u>>,
     /// The number of routines that have been given out.
     pub(super) routines: RoutineId,
     /// Whether any POU has methods or properties.
@@ -245,6 +247,19 @@ pub(super) struct Instance<'u> {
     pub(super) pou: u32,
     /// The address of its variables.
     pub(super) base: u32,
+}
+
+/// An initial value that a VAR_CONFIG gives to a variable of a program instance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ConfiguredValue<'u> {
+    /// The index of the program instance.
+    pub(super) instance: usize,
+    /// The distance of the variable from the address of the instance.
+    pub(super) offset: u32,
+    /// The type of the variable.
+    pub(super) ty: TypeId,
+    /// The initial value.
+    pub(super) initializer: &'u Initializer<'u>,
 }
 
 impl<'u> Model<'u> {

@@ -233,6 +233,7 @@ impl<'m> Lowering<'m> {
                 VariableKind::InOut
                 | VariableKind::External
                 | VariableKind::Global
+                | VariableKind::Configured
                 | VariableKind::Instance => false,
             }
         })

@@ -3,7 +3,7 @@
 use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
-use super::model::{InitialRoutine, PouEntry};
+use super::model::{ConfiguredValue, InitialRoutine, PouEntry};
 use super::trace::TracedUse;
 use crate::instruction::{Instruction, MachineProgram};
 use stickler_syntax::tree::VariableKind;
@@ -144,6 +144,17 @@ impl<'m> Lowering<'m> {
             self.emit(Instruction::CallInstance(
                 model.pous[instance.pou as usize].initial,
             ));
+        }
+        for &ConfiguredValue {
+            instance,
+            offset,
+            ty,
+            initializer,
+        } in &model.configured
+        {
+            self.set_line(initializer.span);
+            let location = Location::Absolute(model.instances[instance].base + offset);
+            self.initialize(location, ty, Some(initializer));
         }
         self.emit(Instruction::Return);
         startup

@@ -2,18 +2,18 @@
 
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
-use crate::tree::{Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock};
+use crate::tree::{Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind};
 
 impl<'s> Parser<'s, '_> {
     /// CONFIGURATION … END_CONFIGURATION; `None` without a name, when the contents are read all the same.
     pub(super) fn configuration(&mut self) -> Option<Configuration<'s>> {
         let start = self.bump().span;
         let name = self.name("a configuration's name").ok();
-        let mut globals = Vec::new();
+        let mut sections = Vec::new();
         let mut resources = Vec::new();
         while !self.at_end_of(TokenKind::EndConfiguration) {
             if self.kind() == TokenKind::Resource {
-                resources.push(self.resource(&mut globals));
+                resources.push(self.resource(&mut sections));
                 continue;
             }
             // The programs that stand directly in the configuration share a resource without a header.
@@ -28,17 +28,20 @@ impl<'s> Parser<'s, '_> {
                 });
             }
             if let Some(resource) = resources.last_mut() {
-                self.resource_item(resource, &mut globals);
+                self.resource_item(resource, &mut sections);
             }
         }
         self.close(TokenKind::EndConfiguration);
         resources.retain(|resource| {
             resource.header.is_some() || !resource.tasks.is_empty() || !resource.programs.is_empty()
         });
+        let is_configured = |section: &VariableBlock<'_>| section.kind == VariableKind::Configured;
+        let (configured, globals) = sections.into_iter().partition(is_configured);
         Some(Configuration {
             name: name?,
             globals,
             resources,
+            configured,
             span: start.to(self.previous_span()),
         })
     }
@@ -55,7 +58,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// RESOURCE … ON … END_RESOURCE. What stands in one whose header is broken is read, and kept without it.
-    fn resource(&mut self, globals: &mut Vec<VariableBlock<'s>>) -> Resource<'s> {
+    fn resource(&mut self, sections: &mut Vec<VariableBlock<'s>>) -> Resource<'s> {
         self.bump();
         let header = self.resource_header().ok();
         if header.is_none() {
@@ -67,7 +70,7 @@ impl<'s> Parser<'s, '_> {
             programs: Vec::new(),
         };
         while !self.at_end_of(TokenKind::EndResource) && self.kind() != TokenKind::Resource {
-            self.resource_item(&mut resource, globals);
+            self.resource_item(&mut resource, sections);
         }
         self.close(TokenKind::EndResource);
         resource
@@ -80,7 +83,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// A section, a task or a program instance.
-    fn resource_item(&mut self, resource: &mut Resource<'s>, globals: &mut Vec<VariableBlock<'s>>) {
+    fn resource_item(&mut self, resource: &mut Resource<'s>, sections: &mut Vec<VariableBlock<'s>>) {
         let start = self.position();
         self.open = 0;
         let read = match self.kind() {
@@ -91,7 +94,7 @@ impl<'s> Parser<'s, '_> {
                 ) {
                     self.expected("`VAR_GLOBAL`");
                 }
-                globals.extend(self.variable_block());
+                sections.extend(self.variable_block());
                 Ok(())
             }
             TokenKind::Task => self.task().map(|task| resource.tasks.push(task)),

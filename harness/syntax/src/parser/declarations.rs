@@ -35,12 +35,15 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Type => Some(Declaration::Types(self.type_declarations())),
             TokenKind::Configuration => self.configuration().map(Declaration::Configuration),
             TokenKind::VarGlobal => self.variable_block().map(Declaration::Globals),
-            TokenKind::VarAccess | TokenKind::VarConfig => {
+            TokenKind::VarAccess => {
                 self.variable_block();
                 None
             }
             kind if kind.opens_section() => {
-                self.expected("a declaration (variables other than VAR_GLOBAL stand in a POU)");
+                self.expected(match kind {
+                    TokenKind::VarConfig => "a declaration (VAR_CONFIG stands in a CONFIGURATION)",
+                    _ => "a declaration (variables other than VAR_GLOBAL stand in a POU)",
+                });
                 self.variable_block();
                 None
             }

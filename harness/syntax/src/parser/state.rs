@@ -65,6 +65,8 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) late_sections: Vec<VariableBlock<'s>>,
     /// The END_VAR of the section that is being read, where an error made it worth looking for.
     pub(super) section_end: Option<usize>,
+    /// Whether names are paths to variables: those of VAR_CONFIG.
+    pub(super) names_are_paths: bool,
     /// The methods and properties of the POU that is being read.
     pub(super) members: Vec<Pou<'s>>,
     /// Whether the POU that is being read is an interface.
@@ -98,6 +100,7 @@ impl<'s, 'd> Parser<'s, 'd> {
             blocks: Vec::new(),
             late_sections: Vec::new(),
             section_end: None,
+            names_are_paths: false,
             members: Vec::new(),
             in_interface: false,
             refused: false,

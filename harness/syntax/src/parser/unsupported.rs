@@ -15,9 +15,6 @@ const INSTRUCTIONS: [&str; 12] = [
 /// Words that begin an element of a sequential function chart.
 const CHART: [&str; 4] = ["STEP", "INITIAL_STEP", "TRANSITION", "ACTION"];
 
-/// The feature that a location such as `%I*` belongs to.
-pub(super) const INCOMPLETE_LOCATIONS: &str = "locations that a configuration completes (`%I*`)";
-
 impl<'s> Parser<'s, '_> {
     /// Says that the construct at `span` is not implemented; `features` names its kind in the plural.
     #[cold]
@@ -73,7 +70,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// VAR_ACCESS or VAR_CONFIG, up to its END_VAR.
+    /// VAR_ACCESS, up to its END_VAR.
     pub(super) fn unsupported_section(&mut self) {
         let token = self.bump();
         let keyword = token.kind.text();

@@ -3,7 +3,6 @@
 use super::declarations::error_specification;
 use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
-use super::unsupported::INCOMPLETE_LOCATIONS;
 use crate::token::TokenKind;
 use crate::tree::{
     Access, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
@@ -29,12 +28,19 @@ impl<'s> Parser<'s, '_> {
                 }),
             }
         }
+        if kind == VariableKind::Configured && !self.blocks.is_empty() {
+            self.report(Code::SyntaxError, start, || {
+                "VAR_CONFIG stands in a CONFIGURATION".to_owned()
+            });
+        }
         let (access, constant, retention) = match misspelt {
             Some(_) => (None, is_constant, None),
             None => self.qualifiers(kind),
         };
         self.section_end = None;
+        self.names_are_paths = kind == VariableKind::Configured;
         let groups = self.variable_groups(TokenKind::EndVar);
+        self.names_are_paths = false;
         Some(VariableBlock {
             kind,
             access,
@@ -226,7 +232,13 @@ impl<'s> Parser<'s, '_> {
         closer: TokenKind,
     ) -> ParseResult<TypeSpecification<'s>> {
         loop {
-            group.names.push(self.declared_name("a variable's name")?);
+            let mut name = self.declared_name("a variable's name")?;
+            while self.names_are_paths && self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
+                self.bump();
+                name.span = name.span.to(self.bump().span);
+                name.text = name.span.text(self.text);
+            }
+            group.names.push(name);
             if !self.eat(TokenKind::Comma) {
                 break;
             }
@@ -241,10 +253,10 @@ impl<'s> Parser<'s, '_> {
         self.type_specification()
     }
 
-    /// `AT %IX0.0`: the location of one variable of a section. Those that a configuration completes (`%I*`), and those within
-    /// structures, are not implemented.
+    /// `AT %IX0.0`: the location of one variable of a section, or `AT %I*`, which a VAR_CONFIG completes. Those within structures are not
+    /// implemented.
     ///
-    /// Basis: Loc_Var_Decl, Located_At and Direct_Variable in Annex A of the third edition.
+    /// Basis: Loc_Var_Decl, Located_At, Direct_Variable and Loc_Partly_Var in Annex A of the third edition.
     fn location(&mut self, names: &[Name<'s>], closer: TokenKind) -> ParseResult<Option<Name<'s>>> {
         if names.len() > 1 {
             return Err(self.expected("`:` and a type"));
@@ -254,17 +266,14 @@ impl<'s> Parser<'s, '_> {
             self.unsupported_location();
             return Ok(None);
         }
-        let start = self.bump().span;
+        self.bump();
         let location = Name {
             text: self.word(),
             span: self.token().span,
         };
-        if location.text.ends_with('*') {
-            self.bump();
-            self.unsupported(start.to(location.span), INCOMPLETE_LOCATIONS);
-            return Ok(None);
-        }
-        if !is_location(location.text) {
+        let areas = ["%I*", "%Q*", "%M*"];
+        let is_incomplete = areas.iter().any(|area| location.is(area)) && !self.names_are_paths;
+        if !is_incomplete && !is_location(location.text) {
             return Err(self.expected("a location such as `%IX0.0`"));
         }
         self.bump();
@@ -327,6 +336,7 @@ fn variable_kind(keyword: TokenKind) -> Option<VariableKind> {
         TokenKind::VarInOut => Some(VariableKind::InOut),
         TokenKind::VarExternal => Some(VariableKind::External),
         TokenKind::VarGlobal => Some(VariableKind::Global),
+        TokenKind::VarConfig => Some(VariableKind::Configured),
         _ => None,
     }
 }

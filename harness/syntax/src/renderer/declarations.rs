@@ -123,6 +123,7 @@ impl<'u, 's> Writer<'u, 's> {
             VariableKind::InOut => "VAR_IN_OUT",
             VariableKind::External => "VAR_EXTERNAL",
             VariableKind::Global => "VAR_GLOBAL",
+            VariableKind::Configured => "VAR_CONFIG",
         });
         self.access(" ", block.access, "");
         self.put(if block.constant { " CONSTANT" } else { "" });
@@ -290,6 +291,10 @@ impl<'u, 's> Writer<'u, 's> {
                 .resources
                 .iter()
                 .for_each(|resource| writer.resource(resource));
+            configuration
+                .configured
+                .iter()
+                .for_each(|block| writer.block_of_variables(block));
         });
         self.line("END_CONFIGURATION");
     }

@@ -13,6 +13,9 @@ pub struct Configuration<'s> {
     pub globals: Vec<VariableBlock<'s>>,
     /// The resources; one without a name holds programs that stand directly in the configuration.
     pub resources: Vec<Resource<'s>>,
+    /// The VAR_CONFIG sections: each name is the path from a program instance to a variable, with the location or the initial value
+    /// that the variable has there.
+    pub configured: Vec<VariableBlock<'s>>,
     /// From the first keyword to the last.
     pub span: Span,
 }

@@ -139,6 +139,8 @@ pub enum VariableKind {
     External,
     /// VAR_GLOBAL.
     Global,
+    /// VAR_CONFIG.
+    Configured,
 }
 
 /// One variable section, VAR … END_VAR.
@@ -169,6 +171,14 @@ pub struct VariableGroup<'s> {
     pub specification: TypeSpecification<'s>,
     /// Their common initial value.
     pub initializer: Option<Initializer<'s>>,
+}
+
+impl VariableGroup<'_> {
+    /// Returns whether the variable has a location that a VAR_CONFIG completes: `%I*`.
+    #[must_use]
+    pub fn is_partly_located(&self) -> bool {
+        self.location.is_some_and(|location| location.text.ends_with('*'))
+    }
 }
 
 /// `name : specification := initializer;` in TYPE … END_TYPE.

@@ -113,9 +113,16 @@ impl PartialEq for Configuration<'_> {
         let Configuration {
             name,
             globals,
+            configured,
             resources,
             span: _,
         } = self;
-        (name, globals, resources) == (&other.name, &other.globals, &other.resources)
+        (name, globals, resources, configured)
+            == (
+                &other.name,
+                &other.globals,
+                &other.resources,
+                &other.configured,
+            )
     }
 }
