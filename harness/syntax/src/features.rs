@@ -309,6 +309,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             VariableKind::Local => None,
             VariableKind::Temporary => Some("var-temp"),
             VariableKind::Instance => Some("var-inst"),
+            VariableKind::Static => Some("var-stat"),
             VariableKind::Input => Some("var-input"),
             VariableKind::Output => Some("var-output"),
             VariableKind::InOut => Some("var-in-out"),

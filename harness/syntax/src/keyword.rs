@@ -27,7 +27,7 @@ const fn hash(word: &[u8]) -> usize {
     (first * FACTORS.0 + last * FACTORS.1 + middle * FACTORS.2 + length * FACTORS.3) % SLOTS
 }
 
-const FACTORS: (usize, usize, usize, usize) = (38, 23, 45, 16);
+const FACTORS: (usize, usize, usize, usize) = (129, 94, 108, 232);
 
 const fn table() -> [u8; SLOTS] {
     let mut table = [u8::MAX; SLOTS];

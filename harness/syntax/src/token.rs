@@ -110,7 +110,7 @@ macro_rules! keywords {
             Return = "RETURN", Struct = "STRUCT", Task = "TASK", Then = "THEN", To = "TO",
             True = "TRUE", Type = "TYPE", Until = "UNTIL", Var = "VAR", VarAccess = "VAR_ACCESS",
             VarConfig = "VAR_CONFIG", VarExternal = "VAR_EXTERNAL", VarGlobal = "VAR_GLOBAL",
-            VarInOut = "VAR_IN_OUT", VarInput = "VAR_INPUT", VarInst = "VAR_INST", VarOutput = "VAR_OUTPUT",
+            VarInOut = "VAR_IN_OUT", VarInput = "VAR_INPUT", VarInst = "VAR_INST", VarOutput = "VAR_OUTPUT", VarStat = "VAR_STAT",
             VarTemp = "VAR_TEMP", While = "WHILE", With = "WITH", Xor = "XOR",
         }
     };
@@ -181,6 +181,7 @@ impl TokenKind {
                 | VarOutput
                 | VarInOut
                 | VarInst
+                | VarStat
                 | VarTemp
                 | VarExternal
                 | VarGlobal

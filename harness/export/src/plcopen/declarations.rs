@@ -12,7 +12,7 @@ use stickler_types::ElementaryType;
 impl PageSource<'_> {
     pub(super) fn write_block(&self, xml: &mut Xml, block: &VariableBlock<'_>) -> io::Result<()> {
         let name = match block.kind {
-            VariableKind::Local => "localVars",
+            VariableKind::Local | VariableKind::Static => "localVars",
             VariableKind::Temporary | VariableKind::Instance => "tempVars",
             VariableKind::Input => "inputVars",
             VariableKind::Output => "outputVars",

@@ -340,7 +340,11 @@ fn branch(outer: &Statement, list: &[Statement]) -> &'static str {
 /// Returns the places of the two operands of an operator.
 const fn operands(operator: BinaryOperator) -> [&'static str; 2] {
     match operator {
-        BinaryOperator::Or | BinaryOperator::Xor | BinaryOperator::And => ["bit-operand", "bit-operand"],
+        BinaryOperator::Or
+        | BinaryOperator::OrElse
+        | BinaryOperator::Xor
+        | BinaryOperator::And
+        | BinaryOperator::AndThen => ["bit-operand", "bit-operand"],
         BinaryOperator::Add
         | BinaryOperator::Subtract
         | BinaryOperator::Multiply

@@ -4,6 +4,7 @@
 use super::common::settle;
 use super::constants::combine;
 use super::contexts::ValueContext;
+use super::emitter::Jump;
 use super::expressions::fitting;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
@@ -105,8 +106,17 @@ impl Lowering<'_> {
         };
         self.warn_of_operands(link.operator, (link.left, link.right));
         let left = self.operand(link.left, left, operation.left);
+        let decided = match operation.action {
+            Action::ShortCircuit { decisive } => Some(self.decide(decisive, link.right)),
+            _ => None,
+        };
         let right = self.value(link.right, Some(operation.right));
         let right = self.operand(link.right, right, operation.right);
+        if let Some((cell, jump)) = decided {
+            self.emit(Instruction::Store(cell));
+            self.emitter.land(jump);
+            self.emit(Instruction::Load(cell));
+        }
         if left.ty == TypeId::ERROR || right.ty == TypeId::ERROR {
             // An operation on enumerated values has no elementary type, yet nothing is wrong with it.
             return LoweredValue::ERROR;
@@ -200,7 +210,25 @@ impl Lowering<'_> {
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),
             Action::Logic(operator) => self.emit(Instruction::Logic(operator)),
+            // The right operand took the place of the left one, which did not decide.
+            Action::ShortCircuit { .. } => {}
         }
+    }
+
+    /// Keeps the left operand of a short-circuit operator, which is on the stack, in a cell, and jumps where it decides.
+    ///
+    /// Basis: codesys-pages: _cds_operator_and_then, _cds_operator_or_else.
+    fn decide(&mut self, decisive: bool, right: ExpressionId) -> (u32, Jump) {
+        let cell = self.temporary(self.span(right));
+        self.emit(Instruction::Store(cell));
+        self.emit(Instruction::Load(cell));
+        let jump = self.emitter.jump_if_false();
+        if !decisive {
+            return (cell, jump);
+        }
+        let decided = self.emitter.jump();
+        self.emitter.land(jump);
+        (cell, decided)
     }
 }
 

@@ -28,7 +28,10 @@ impl Declarer<'_, '_> {
             memory.cell();
         }
         for index in 0..self.model.variables.len() {
-            if self.model.variables[index].kind == VariableKind::Global {
+            if matches!(
+                self.model.variables[index].kind,
+                VariableKind::Global | VariableKind::Static
+            ) {
                 self.place_variable(saturating_u32(index), memory)?;
             }
         }
@@ -69,7 +72,7 @@ impl Declarer<'_, '_> {
             let kind = self.model.variable(index).kind;
             if !matches!(
                 kind,
-                VariableKind::Input | VariableKind::InOut | VariableKind::External
+                VariableKind::Input | VariableKind::InOut | VariableKind::External | VariableKind::Static
             ) {
                 self.place_variable(index, memory)?;
             }

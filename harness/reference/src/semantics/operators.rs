@@ -55,6 +55,10 @@ pub(super) enum Action {
     Compare(ComparisonOperator, ElementaryType),
     CompareText(ComparisonOperator),
     Logic(LogicOperator),
+    /// The right operand is computed only where the left one does not decide; `decisive` is the value that does.
+    ShortCircuit {
+        decisive: bool,
+    },
 }
 
 /// The meaning of an operator for operands of certain types.
@@ -87,6 +91,13 @@ impl TypeRules<'_> {
         let (left, right) = (self.address(left), self.address(right));
         let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
+            OperatorGroup::ShortCircuit { decisive } => {
+                let is_bool = |operand| operand == Inferred::Known(TypeId::BOOL);
+                let operands = (TypeId::BOOL, TypeId::BOOL);
+                let action = Action::ShortCircuit { decisive };
+                (is_bool(left) && is_bool(right))
+                    .then(|| TypedOperation::new(operands, action, TypeId::BOOL))
+            }
             OperatorGroup::Power if self.dialect.integers_as_lreal => self.power(left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.
             OperatorGroup::Power if left == Inferred::Real && is_integer(right) => {
@@ -114,7 +125,7 @@ impl TypeRules<'_> {
     ) -> Option<TypedOperation> {
         let known = Inferred::from(ty);
         match self.group(operator) {
-            OperatorGroup::Comparison(_) => None,
+            OperatorGroup::Comparison(_) | OperatorGroup::ShortCircuit { .. } => None,
             OperatorGroup::Logic(logic) => self.logic(logic, known, known),
             OperatorGroup::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
             OperatorGroup::Power => self.power(known, right),
@@ -249,7 +260,7 @@ impl TypeRules<'_> {
         match self.group(operator) {
             OperatorGroup::Logic(_) => Some(promoted.bits().result),
             OperatorGroup::Arithmetic(_) | OperatorGroup::Comparison(_) => Some(promoted.result),
-            OperatorGroup::Power => None,
+            OperatorGroup::Power | OperatorGroup::ShortCircuit { .. } => None,
         }
     }
 
@@ -374,6 +385,8 @@ impl TypeRules<'_> {
             BinaryOperator::Or => OperatorGroup::Logic(LogicOperator::Or),
             BinaryOperator::Xor => OperatorGroup::Logic(LogicOperator::Xor),
             BinaryOperator::And => OperatorGroup::Logic(LogicOperator::And),
+            BinaryOperator::OrElse => OperatorGroup::ShortCircuit { decisive: true },
+            BinaryOperator::AndThen => OperatorGroup::ShortCircuit { decisive: false },
             BinaryOperator::Equal => OperatorGroup::Comparison(ComparisonOperator::Equal),
             BinaryOperator::NotEqual if !self.dialect.nan_differs => {
                 OperatorGroup::Comparison(ComparisonOperator::LessOrGreater)
@@ -434,5 +447,6 @@ enum OperatorGroup {
     Arithmetic(ArithmeticOperator),
     Comparison(ComparisonOperator),
     Logic(LogicOperator),
+    ShortCircuit { decisive: bool },
     Power,
 }

@@ -234,7 +234,8 @@ impl<'m> Lowering<'m> {
                 | VariableKind::External
                 | VariableKind::Global
                 | VariableKind::Configured
-                | VariableKind::Instance => false,
+                | VariableKind::Instance
+                | VariableKind::Static => false,
             }
         })
     }

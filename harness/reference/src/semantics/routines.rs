@@ -86,7 +86,7 @@ impl<'m> Lowering<'m> {
             let kind = self.model.variable(index).kind;
             if !matches!(
                 kind,
-                VariableKind::Input | VariableKind::InOut | VariableKind::External
+                VariableKind::Input | VariableKind::InOut | VariableKind::External | VariableKind::Static
             ) {
                 self.begin_with(index);
             }
@@ -112,7 +112,10 @@ impl<'m> Lowering<'m> {
             let kind = self.model.variable(index).kind;
             if !matches!(
                 kind,
-                VariableKind::Temporary | VariableKind::InOut | VariableKind::External
+                VariableKind::Temporary
+                    | VariableKind::InOut
+                    | VariableKind::External
+                    | VariableKind::Static
             ) {
                 self.begin_with(index);
             }
@@ -130,7 +133,7 @@ impl<'m> Lowering<'m> {
         self.emit(Instruction::Return);
     }
 
-    /// Global variables in the order of the text, then program instances in theirs.
+    /// Global variables in the order of the text, then the static ones of each POU, then program instances in their order.
     fn startup(&mut self) -> u32 {
         let model = self.model;
         let startup = self.emitter.begin_new();
@@ -139,6 +142,15 @@ impl<'m> Lowering<'m> {
                 self.begin_with(index);
             }
         }
+        for (entry, pou) in model.pous.iter().zip(0..) {
+            self.pou = Some(pou);
+            for index in entry.variables.clone() {
+                if model.variable(index).kind == VariableKind::Static {
+                    self.begin_with(index);
+                }
+            }
+        }
+        self.pou = None;
         for instance in &model.instances {
             self.emit(Instruction::Address(instance.base));
             self.emit(Instruction::CallInstance(

@@ -145,7 +145,10 @@ impl<'u> Declarer<'u, '_> {
         if kind == VariableKind::InOut {
             self.model.pous[pou].in_outs.push(index);
         }
-        let fixed = block.constant && matches!(block.kind, VariableKind::Local | VariableKind::Temporary);
+        let fixed = block.constant && matches!(
+            block.kind,
+            VariableKind::Local | VariableKind::Temporary | VariableKind::Static
+        );
         let value = match kind {
             VariableKind::External => self.external_constant(name),
             _ if fixed => self.local_constant(group, ty),
@@ -243,7 +246,7 @@ impl<'u> Declarer<'u, '_> {
             let offset = u32::try_from(size).unwrap_or(u32::MAX);
             let inner = *self.model.types.extent(variable.ty);
             match variable.kind {
-                VariableKind::External => continue,
+                VariableKind::External | VariableKind::Static => continue,
                 VariableKind::InOut => {
                     variable.storage = Storage::InstancePointer(offset);
                     size += 1;

@@ -321,6 +321,7 @@ const fn operator_key(operator: BinaryOperator) -> &'static str {
         BinaryOperator::Or => "or",
         BinaryOperator::Xor => "xor",
         BinaryOperator::And => "and",
+        BinaryOperator::OrElse | BinaryOperator::AndThen => "short-circuit",
         BinaryOperator::Equal => "equal",
         BinaryOperator::NotEqual => "not-equal",
         BinaryOperator::Less => "less",

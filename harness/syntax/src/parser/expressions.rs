@@ -50,13 +50,10 @@ impl<'s> Parser<'s, '_> {
             };
             self.grow(top.left_height)?;
             let span = self.span_of(top.left).to(self.span_of(operand));
-            let kind = match top.operator {
-                Some(operator) => ExpressionKind::Binary {
-                    operator,
-                    left: top.left,
-                    right: operand,
-                },
-                None => ExpressionKind::Error,
+            let kind = ExpressionKind::Binary {
+                operator: top.operator,
+                left: top.left,
+                right: operand,
             };
             operand = self.push(kind, span);
         }
@@ -76,7 +73,7 @@ impl<'s> Parser<'s, '_> {
 
     /// The operator that stands here, and how tight it binds.
     #[inline]
-    fn infix_operator(&mut self) -> Option<(Option<BinaryOperator>, u8)> {
+    fn infix_operator(&mut self) -> Option<(BinaryOperator, u8)> {
         use BinaryOperator as Operator;
         let (operator, precedence) = match self.kind() {
             TokenKind::Ampersand | TokenKind::Power if !self.dialect.ampersand_and_power => return None,
@@ -95,10 +92,17 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Slash => (Operator::Divide, 7),
             TokenKind::Mod => (Operator::Modulo, 7),
             TokenKind::Power => (Operator::Power, 8),
-            TokenKind::Name => return self.unsupported_operator().map(|precedence| (None, precedence)),
+            TokenKind::Name if self.at_word("AND_THEN") => self.short_circuit(Operator::AndThen, 3),
+            TokenKind::Name if self.at_word("OR_ELSE") => self.short_circuit(Operator::OrElse, 1),
             _ => return None,
         };
-        Some((Some(operator), precedence))
+        Some((operator, precedence))
+    }
+
+    /// AND_THEN or OR_ELSE, and how tight it binds.
+    fn short_circuit(&mut self, operator: BinaryOperator, precedence: u8) -> (BinaryOperator, u8) {
+        self.requires("short-circuit", self.token().span, operator.symbol());
+        (operator, precedence)
     }
 
     /// An operand: prefix operators bind tighter than any infix operator.

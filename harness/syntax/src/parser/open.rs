@@ -37,8 +37,7 @@ impl OpenBlock {
 /// An infix operator that waits for its right operand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pending {
-    /// `None` for one that is not implemented.
-    pub(super) operator: Option<BinaryOperator>,
+    pub(super) operator: BinaryOperator,
     pub(super) precedence: u8,
     pub(super) left: ExpressionId,
     pub(super) left_height: u32,

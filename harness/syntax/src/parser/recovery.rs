@@ -112,7 +112,7 @@ impl Parser<'_, '_> {
         }
         let meant = self.word().to_ascii_uppercase();
         match meant.as_str() {
-            "VAR_STAT" | "VAR_GENERIC" => {
+            "VAR_GENERIC" => {
                 self.unsupported(self.token().span, &format!("{meant} sections"));
             }
             _ => {

@@ -197,19 +197,6 @@ impl<'s> Parser<'s, '_> {
         Err(Broken)
     }
 
-    /// AND_THEN or OR_ELSE between operands: its precedence.
-    pub(super) fn unsupported_operator(&mut self) -> Option<u8> {
-        let precedence = if self.at_word("AND_THEN") {
-            3
-        } else if self.at_word("OR_ELSE") {
-            1
-        } else {
-            return None;
-        };
-        self.unsupported(self.token().span, "short-circuit operators (AND_THEN, OR_ELSE)");
-        Some(precedence)
-    }
-
     /// Arguments behind the type of a program instance.
     pub(super) fn unsupported_connections(&mut self) {
         if self.kind() == TokenKind::LeftParen {

@@ -28,6 +28,9 @@ impl<'s> Parser<'s, '_> {
                 }),
             }
         }
+        if kind == VariableKind::Static {
+            self.requires("var-stat", start, "VAR_STAT");
+        }
         if kind == VariableKind::Configured && !self.blocks.is_empty() {
             self.report(Code::SyntaxError, start, || {
                 "VAR_CONFIG stands in a CONFIGURATION".to_owned()
@@ -56,17 +59,17 @@ impl<'s> Parser<'s, '_> {
     /// Basis: 6.5.2 of the third edition: inputs and outputs may be retained, but are no constants. PERSISTENT
     /// is no word of the standard, but of many compilers.
     fn qualifiers(&mut self, section: VariableKind) -> (Option<Access>, bool, Option<&'s str>) {
-        use VariableKind::{External, Global, Input, Instance, Local, Output};
+        use VariableKind::{External, Global, Input, Instance, Local, Output, Static};
         let (mut access, mut constant, mut retention) = (None, false, None);
         loop {
             let allowed = match self.kind() {
                 TokenKind::Constant => {
                     constant = true;
-                    matches!(section, Local | Instance | External | Global)
+                    matches!(section, Local | Instance | Static | External | Global)
                 }
                 TokenKind::Retain | TokenKind::NonRetain => {
                     retention = retention.or(Some(self.word()));
-                    matches!(section, Local | Instance | Input | Output | Global)
+                    matches!(section, Local | Instance | Static | Input | Output | Global)
                 }
                 TokenKind::Name if self.names_a_variable() => return (access, constant, retention),
                 TokenKind::Name if self.at_word("PERSISTENT") => {
@@ -331,6 +334,7 @@ fn variable_kind(keyword: TokenKind) -> Option<VariableKind> {
         TokenKind::Var => Some(VariableKind::Local),
         TokenKind::VarTemp => Some(VariableKind::Temporary),
         TokenKind::VarInst => Some(VariableKind::Instance),
+        TokenKind::VarStat => Some(VariableKind::Static),
         TokenKind::VarInput => Some(VariableKind::Input),
         TokenKind::VarOutput => Some(VariableKind::Output),
         TokenKind::VarInOut => Some(VariableKind::InOut),

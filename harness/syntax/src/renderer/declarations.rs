@@ -118,6 +118,7 @@ impl<'u, 's> Writer<'u, 's> {
             VariableKind::Local => "VAR",
             VariableKind::Temporary => "VAR_TEMP",
             VariableKind::Instance => "VAR_INST",
+            VariableKind::Static => "VAR_STAT",
             VariableKind::Input => "VAR_INPUT",
             VariableKind::Output => "VAR_OUTPUT",
             VariableKind::InOut => "VAR_IN_OUT",

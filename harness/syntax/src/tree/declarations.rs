@@ -129,6 +129,8 @@ pub enum VariableKind {
     Temporary,
     /// VAR_INST, of a method.
     Instance,
+    /// VAR_STAT: one variable for all instances and calls.
+    Static,
     /// VAR_INPUT.
     Input,
     /// VAR_OUTPUT.

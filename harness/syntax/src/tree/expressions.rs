@@ -125,10 +125,14 @@ pub enum UnaryOperator {
 pub enum BinaryOperator {
     /// `OR`.
     Or,
+    /// `OR_ELSE`.
+    OrElse,
     /// `XOR`.
     Xor,
     /// `AND`, `&`.
     And,
+    /// `AND_THEN`.
+    AndThen,
     /// `=`.
     Equal,
     /// `<>`.
@@ -161,8 +165,10 @@ impl BinaryOperator {
     pub const fn symbol(self) -> &'static str {
         match self {
             BinaryOperator::Or => "OR",
+            BinaryOperator::OrElse => "OR_ELSE",
             BinaryOperator::Xor => "XOR",
             BinaryOperator::And => "AND",
+            BinaryOperator::AndThen => "AND_THEN",
             BinaryOperator::Equal => "=",
             BinaryOperator::NotEqual => "<>",
             BinaryOperator::Less => "<",
@@ -185,8 +191,10 @@ impl BinaryOperator {
     pub const fn function_name(self) -> &'static str {
         match self {
             BinaryOperator::Or => "OR",
+            BinaryOperator::OrElse => "OR_ELSE",
             BinaryOperator::Xor => "XOR",
             BinaryOperator::And => "AND",
+            BinaryOperator::AndThen => "AND_THEN",
             BinaryOperator::Equal => "EQ",
             BinaryOperator::NotEqual => "NE",
             BinaryOperator::Less => "LT",
