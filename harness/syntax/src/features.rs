@@ -68,10 +68,7 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
         ends_without_semicolon: true,
         library_namespaces: true,
         ampersand_and_power: true,
-        features: DeclaredFeatures {
-            has: Dialect::POINTER_FEATURES.map(str::to_owned).to_vec(),
-            ..DeclaredFeatures::NONE
-        },
+        features: DeclaredFeatures::NONE,
         ..dialect.clone()
     }
 }

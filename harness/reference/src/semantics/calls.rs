@@ -131,9 +131,9 @@ impl<'m> Lowering<'m> {
         let dialect = self.model.source.dialect;
         let name = dialect.standard_name(name.text);
         if let Some(function) = AddressFunction::of(name) {
-            return match dialect.has_pointers(function.feature()) {
-                true => Callee::Address(function),
-                false => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+            return match dialect.lacks(function.feature()) {
+                true => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+                false => Callee::Address(function),
             };
         }
         if let Some(standard) = standard_function(name) {

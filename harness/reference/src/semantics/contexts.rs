@@ -99,7 +99,7 @@ pub(super) fn fit(
         Inferred::Known(ty) if types.pointer(ty).or(types.pointer(target)).is_some() => {
             fits_pointer(ty, target, types, dialect)
         }
-        Inferred::Integer(_) if types.pointer(target).is_some() => dialect.has_pointers("pointer-arithmetic"),
+        Inferred::Integer(_) if types.pointer(target).is_some() => !dialect.lacks("pointer-arithmetic"),
         Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
             (Some(from), Some(to)) => match context {
                 ValueContext::Operand | ValueContext::CommonArgument => of_operand(from, to, dialect),
@@ -130,7 +130,7 @@ pub(super) fn fit(
 /// LWORD for an address that does.
 pub(super) fn elementary_value(ty: TypeId, types: &TypeTable, dialect: &Dialect) -> Option<ElementaryType> {
     let counts = dialect.enumerations_as_integers && matches!(types.kind(ty), TypeKind::Enumeration(_));
-    let is_address = || types.pointer(ty).is_some() && dialect.has_pointers("pointer-arithmetic");
+    let is_address = || types.pointer(ty).is_some() && !dialect.lacks("pointer-arithmetic");
     ty.elementary()
         .or(counts.then_some(ElementaryType::Int))
         .or_else(|| is_address().then_some(ElementaryType::Lword))

@@ -59,7 +59,7 @@ impl<'u> Declarer<'u, '_> {
     pub(super) fn check_nested(&mut self, inner: TypeId, span: Span) {
         let of_reference = self.model.types.pointer(inner);
         if of_reference.is_some_and(|inner| inner.form != PointerForm::PointerTo)
-            && !self.model.source.dialect.has_pointers("reference-nested")
+            && self.model.source.dialect.lacks("reference-nested")
         {
             let message = "the dialect has no references to references, nor arrays of them";
             self.report(Code::NestedRefToNotSupported, span, message);
@@ -69,7 +69,7 @@ impl<'u> Declarer<'u, '_> {
 
 /// Returns whether a value of one type may stand where another is expected, at least one of which is a reference or pointer.
 pub(super) fn fits_pointer(from: TypeId, to: TypeId, types: &TypeTable, dialect: &Dialect) -> bool {
-    let is_free = dialect.has_pointers("pointer-arithmetic");
+    let is_free = !dialect.lacks("pointer-arithmetic");
     match (types.pointer(from), types.pointer(to)) {
         (Some(_), Some(_)) => {
             from == TypeId::ADDRESS || to == TypeId::ADDRESS || is_free || types.is_same(from, to)

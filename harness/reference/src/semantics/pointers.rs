@@ -58,12 +58,12 @@ impl AddressFunction {
 impl<'m> Lowering<'m> {
     /// Returns whether addresses are numbers, and a pointer of any type leads anywhere.
     fn is_free(&self) -> bool {
-        self.model.source.dialect.has_pointers("pointer-arithmetic")
+        !self.model.source.dialect.lacks("pointer-arithmetic")
     }
 
     /// Returns whether a name that is not declared is the reference to nothing.
     pub(super) fn is_null(&self, name: &str) -> bool {
-        name.eq_ignore_ascii_case("NULL") && self.model.source.dialect.has_pointers("null")
+        name.eq_ignore_ascii_case("NULL") && !self.model.source.dialect.lacks("null")
     }
 
     /// Returns whether a pointer takes subscripts of its own: `p[i]` is the value `i` sizes behind `p^`.
@@ -188,7 +188,7 @@ impl<'m> Lowering<'m> {
             self.expression(id).kind,
             ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
         );
-        if is_part && !self.model.source.dialect.has_pointers("reference-to-part") {
+        if is_part && self.model.source.dialect.lacks("reference-to-part") {
             let message = "the dialect has no references to a part of a variable";
             self.report(Code::RefOfArrayElement, span, message);
         }
