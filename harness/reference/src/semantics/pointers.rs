@@ -8,12 +8,11 @@ use super::contexts::ValueContext;
 use super::inferred::{Inferred, Magnitude};
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
-use super::model::{Storage, TopLevelName};
+use super::model::TopLevelName;
 use super::parameters::single_argument;
 use super::pointer_types::fits_pointer;
 use super::types::{PointerType, TypeId, TypeMember};
-use crate::addresses::{AddressMap, MemoryObject};
-use crate::instruction::{Address, ArithmeticOperator, ComparisonOperator, Instruction, Label};
+use crate::instruction::{ArithmeticOperator, ComparisonOperator, Instruction};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     Argument, BinaryOperator, CaseFolded, ExpressionId, ExpressionKind, PointerForm, VariableKind,
@@ -435,52 +434,6 @@ impl<'m> Lowering<'m> {
         };
         self.report(code, self.span(operand), message);
         LoweredValue::ERROR
-    }
-
-    /// Makes the map by which the machine finds variables, once all code is there.
-    pub(super) fn address_map(&mut self) -> AddressMap {
-        let mut objects = Vec::new();
-        if self.addresses.are_taken && !self.reporter.has_errors() {
-            let model = self.model;
-            let labels = self.emitter.sorted_labels();
-            for (entry, pou) in model.pous.iter().zip(0..) {
-                let body = self.emitter.label(entry.body);
-                let next = labels.partition_point(|&label| label <= body);
-                let end = labels.get(next).copied().unwrap_or(u32::MAX);
-                let frame = entry.is_function().then_some((body, end));
-                let bases = model.instances.iter().filter(|instance| instance.pou == pou);
-                let bases: Vec<_> = bases.map(|instance| instance.base).collect();
-                for variable in entry.variables.clone().map(|index| model.variable(index)) {
-                    match variable.storage {
-                        _ if variable.kind == VariableKind::External => {}
-                        Storage::Absolute(cell) => self.add_object(&mut objects, cell, variable.ty, frame),
-                        Storage::Instance(offset) => bases
-                            .iter()
-                            .for_each(|base| self.add_object(&mut objects, base + offset, variable.ty, None)),
-                        Storage::AbsolutePointer(_) | Storage::InstancePointer(_) => {}
-                    }
-                }
-            }
-            for variable in &model.variables {
-                if let (VariableKind::Global, Storage::Absolute(cell)) = (variable.kind, variable.storage) {
-                    self.add_object(&mut objects, cell, variable.ty, None);
-                }
-            }
-            objects.sort_by_key(|object| object.cell);
-        }
-        let layouts = std::mem::take(&mut self.addresses.layouts);
-        AddressMap { layouts, objects }
-    }
-
-    fn add_object(
-        &mut self,
-        objects: &mut Vec<MemoryObject>,
-        cell: Address,
-        ty: TypeId,
-        frame: Option<(Label, Label)>,
-    ) {
-        let layout = self.layout(ty);
-        objects.push(MemoryObject { cell, layout, frame });
     }
 }
 
