@@ -6,7 +6,7 @@
 //!
 //! Basis: rule: memory-of-pointers.
 
-use crate::instruction::{Address, Label};
+use crate::instruction::{Address, RoutineId};
 use stickler_types::ElementaryType;
 
 /// An index into [`AddressMap::layouts`].
@@ -15,13 +15,13 @@ pub type LayoutId = u32;
 /// The variables that have addresses, and the layouts of their values; nothing where a program has no references and pointers.
 #[derive(Debug, Default)]
 pub struct AddressMap {
-    /// How values of each type lie in memory.
+    /// The layouts of the types of these variables, and of what references and pointers lead to.
     pub layouts: Vec<Layout>,
     /// The variables in the order of their cells.
     pub objects: Vec<MemoryObject>,
 }
 
-/// How a value lies in cells and in bytes.
+/// The layout of the values of one type: their size in cells and in bytes, and where their parts are.
 #[derive(Debug)]
 pub struct Layout {
     /// The number of bytes, with those that fill it up to its alignment.
@@ -54,8 +54,8 @@ pub struct MemoryObject {
     pub cell: Address,
     /// Its layout.
     pub layout: LayoutId,
-    /// The code in which it exists: the body of the function that it belongs to. `None` for a variable that always exists.
-    pub frame: Option<(Label, Label)>,
+    /// The body of the function that it belongs to, outside of which it does not exist. `None` for a variable that always exists.
+    pub frame: Option<RoutineId>,
 }
 
 /// The units of offsets, as indices of pairs of them.

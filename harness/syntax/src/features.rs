@@ -12,8 +12,8 @@ use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
     CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Modifiers, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind,
-    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    InitializerKind, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
@@ -68,10 +68,7 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
         ends_without_semicolon: true,
         library_namespaces: true,
         ampersand_and_power: true,
-        features: DeclaredFeatures {
-            has: Dialect::POINTER_FEATURES.map(str::to_owned).to_vec(),
-            ..DeclaredFeatures::NONE
-        },
+        features: DeclaredFeatures::NONE,
         ..dialect.clone()
     }
 }
@@ -99,10 +96,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         };
         let mut inputs: FxHashMap<CaseFolded<'s>, usize> = FxHashMap::default();
         for name in &names {
-            let is_input = matches!(
-                name.kind,
-                DeclaredKind::Variable(VariableKind::Input | VariableKind::InOut)
-            );
+            use VariableKind::{InOut, Input};
+            let is_input = matches!(name.kind, DeclaredKind::Variable(Input | InOut));
             if let Some(pou) = name.inside.filter(|_| is_input) {
                 *inputs.entry(CaseFolded(pou.name.text)).or_default() += 1;
             }
@@ -121,10 +116,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     fn note(&mut self, key: impl Into<FeatureKey>, span: Span) {
-        self.found.push(FeatureUse {
-            key: key.into(),
-            span,
-        });
+        let key = key.into();
+        self.found.push(FeatureUse { key, span });
     }
 
     fn note_if(&mut self, is_used: bool, key: &'static str, span: Span) {
@@ -246,9 +239,8 @@ pub fn standard_block(name: &str) -> Option<&'static str> {
 /// Returns whether a number is written with an underscore between its digits.
 fn is_number_with_underscore(written: &str) -> bool {
     let value = written.split_once('#').map_or(written, |(_, value)| value);
-    let is_number = value
-        .trim_start_matches(['-', '+'])
-        .starts_with(|first: char| first.is_ascii_digit());
+    let unsigned = value.trim_start_matches(['-', '+']);
+    let is_number = unsigned.starts_with(|first: char| first.is_ascii_digit());
     is_number && value.contains('_')
 }
 
@@ -265,43 +257,27 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             PouKind::Method => self.note("method", span),
             PouKind::Getter | PouKind::Setter => self.note("property", span),
         }
-        let Modifiers {
-            access,
-            is_abstract,
-            is_final,
-            is_override,
-        } = pou.modifiers;
-        self.note_if(access.is_some(), "access-specifier", span);
-        self.note_if(is_abstract, "abstract", span);
-        self.note_if(is_final, "final", span);
-        self.note_if(is_override, "override", span);
+        self.note_if(pou.modifiers.access.is_some(), "access-specifier", span);
+        self.note_if(pou.modifiers.is_abstract, "abstract", span);
+        self.note_if(pou.modifiers.is_final, "final", span);
+        self.note_if(pou.modifiers.is_override, "override", span);
         self.note_if(!pou.extends.is_empty(), "extends", span);
         self.note_if(!pou.implements.is_empty(), "implements", span);
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
-        self.note_if(
-            declaration.extends.is_some(),
-            "structure-extends",
-            declaration.name.span,
-        );
-        if matches!(
-            declaration.specification.kind,
-            TypeSpecificationKind::Structure(_)
-        ) {
-            self.end_of_block(declaration.specification.span);
+        use TypeSpecificationKind::{Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text};
+        let span = declaration.name.span;
+        self.note_if(declaration.extends.is_some(), "structure-extends", span);
+        match &declaration.specification.kind {
+            Named(_) | Text { .. } => self.note("type-alias", span),
+            Array { .. } => self.note("array-type", span),
+            Structure(_) => self.end_of_block(declaration.specification.span),
+            Subrange { .. } | Enumeration { .. } | Pointer { .. } | Error => {}
         }
-        let key = match &declaration.specification.kind {
-            TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => "type-alias",
-            TypeSpecificationKind::Array { .. } => "array-type",
-            TypeSpecificationKind::Subrange { .. }
-            | TypeSpecificationKind::Enumeration { .. }
-            | TypeSpecificationKind::Structure(_)
-            | TypeSpecificationKind::Pointer { .. }
-            | TypeSpecificationKind::Error => return self.initial_value_of_type(declaration),
-        };
-        self.note(key, declaration.name.span);
-        self.initial_value_of_type(declaration);
+        if let Some(initializer) = &declaration.initializer {
+            self.note("type-initial-value", initializer.span);
+        }
     }
 
     fn section(&mut self, section: &'t VariableBlock<'s>, _: &Context<'t, 's>) {
@@ -340,14 +316,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
         if let Some(initializer) = initializer.filter(|_| is_field || is_plain) {
-            self.note(
-                if is_field {
-                    "field-initial-value"
-                } else {
-                    "initial-value"
-                },
-                initializer.span,
-            );
+            let keys = ["initial-value", "field-initial-value"];
+            self.note(keys[usize::from(is_field)], initializer.span);
         }
         if let TypeSpecificationKind::Named(ty) = &group.specification.kind {
             match self.declared(ty.unqualified().text) {
@@ -382,9 +352,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 self.note_if(dimensions.len() > 1, "array-dimensions", span);
                 let written =
                     |id: ExpressionId| at.unit.expression(id).map(|limit| limit.span.text(self.text));
-                let has_one = dimensions
-                    .iter()
-                    .any(|(low, high)| written(*low) == written(*high));
+                let mut limits = dimensions.iter();
+                let has_one = limits.any(|(low, high)| written(*low) == written(*high));
                 self.note_if(has_one, "array-one-element", span);
             }
             TypeSpecificationKind::Enumeration { base, values } => {
@@ -393,11 +362,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                     self.named_type(base);
                     self.note("enumeration-base-type", span);
                 }
-                self.note_if(
-                    values.iter().any(|(_, number)| number.is_some()),
-                    "enumeration-number",
-                    span,
-                );
+                let has_number = values.iter().any(|(_, number)| number.is_some());
+                self.note_if(has_number, "enumeration-number", span);
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
             TypeSpecificationKind::Pointer { form, target } => {
@@ -445,11 +411,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 let mut labels = branches.iter().flat_map(|branch| &branch.labels);
                 let has_range = labels.any(|label| matches!(label, CaseLabel::Range(..)));
                 self.note_if(has_range, "case-range", span);
-                self.note_if(
-                    branches.iter().any(|branch| branch.labels.len() > 1),
-                    "case-list",
-                    span,
-                );
+                let has_list = branches.iter().any(|branch| branch.labels.len() > 1);
+                self.note_if(has_list, "case-list", span);
                 self.note_if(otherwise.is_some(), "case-else", span);
             }
             StatementKind::For { by, .. } => {
@@ -485,9 +448,8 @@ impl<'s> FeatureFinder<'_, 's> {
     fn end_of_block(&mut self, span: Span) {
         let (own, behind) = self.text.split_at(span.end as usize);
         // A block that is cut short has no end.
-        let last = own
-            .rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_')
-            .next();
+        let mut words = own.rsplit(|letter: char| !letter.is_alphanumeric() && letter != '_');
+        let last = words.next();
         let has_end = last.is_some_and(|word| word.to_ascii_uppercase().starts_with("END_"));
         let is_closed = behind.trim_start().starts_with([';', ':', '(', '/', '{']);
         self.note_if(has_end && !is_closed, "end-without-semicolon", span);
@@ -501,12 +463,6 @@ impl<'s> FeatureFinder<'_, 's> {
             && self.declared(name.text).is_none()
         {
             self.note(key, name.span);
-        }
-    }
-
-    fn initial_value_of_type(&mut self, declaration: &TypeDeclaration<'_>) {
-        if let Some(initializer) = &declaration.initializer {
-            self.note("type-initial-value", initializer.span);
         }
     }
 }

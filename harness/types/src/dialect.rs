@@ -497,41 +497,6 @@ impl Dialect {
         ElementaryType::from_name(self.standard_name(name))
     }
 
-    /// The features of references and pointers, by their keys in `conformance-cases/features.toml`; those of the third edition come first.
-    pub const POINTER_FEATURES: [&str; 13] = [
-        "reference",
-        "ref",
-        "null",
-        "dereference",
-        "reference-to-part",
-        "reference-nested",
-        "pointer",
-        "pointer-arithmetic",
-        "adr",
-        "sizeof",
-        "reference-to",
-        "reference-binding",
-        "__isvalidref",
-    ];
-
-    /// Returns whether a feature of references and pointers is one of the third edition, and no extension.
-    #[must_use]
-    pub fn is_third_edition_pointer(feature: &str) -> bool {
-        Dialect::POINTER_FEATURES[..6].contains(&feature)
-    }
-
-    /// Returns whether programs of the dialect may use a feature of references and pointers: one that its file declares, or, unless the
-    /// file says that it lacks it, one of the third edition where it declares a later edition than the second.
-    #[must_use]
-    pub fn has_pointers(&self, feature: &str) -> bool {
-        let is_of_edition = || {
-            self.features.edition.is_some_and(|edition| edition > 2)
-                && Dialect::is_third_edition_pointer(feature)
-        };
-        let is_declared = || self.features.has.iter().any(|has| has == feature);
-        (is_declared() || is_of_edition()) && !self.lacks(feature)
-    }
-
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {

@@ -382,11 +382,9 @@ impl<'p> Machine<'p> {
         Ok(())
     }
 
-    /// Returns whether the instruction that is executed, or one that a call returns to, is in a stretch of code.
-    pub(super) fn is_running(&self, (start, end): (Label, Label)) -> bool {
-        let returns = self.frames.iter().map(|frame| frame.next);
-        let mut positions = returns.chain([self.next]);
-        positions.any(|next| start < next && next <= end)
+    /// Returns whether a routine has been called and has not returned.
+    pub(super) fn is_running(&self, routine: RoutineId) -> bool {
+        self.frames.iter().any(|frame| frame.routine == routine)
     }
 
     #[inline]

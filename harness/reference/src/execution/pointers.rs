@@ -23,17 +23,18 @@ impl<'p> Machine<'p> {
     }
 
     /// Finds the layout and the cell of what lies at an address, and the byte of it that is meant.
-    fn find(&mut self, address: u64, wanted: LayoutId) -> Result<(LayoutId, Address, u32), Halt> {
+    fn find(&mut self, address: u64, wanted: LayoutId) -> Result<(&'p Layout, Address, u32), Halt> {
         self.spend(1)?;
-        // What is counted from the address of nothing, such as that of a field, leads to nothing as well.
-        if address >> 32 == 0 {
+        // What is counted from the address of nothing, such as that of a field, leads to nothing as well; before the first variable lies
+        // the second half of these offsets.
+        if address.cast_signed().unsigned_abs() < 1 << 31 {
             return Err(FaultKind::NullDereference.into());
         }
         match self.program.addresses.find(address, wanted) {
-            Some((object, ..)) if object.frame.is_some_and(|code| !self.is_running(code)) => {
+            Some((object, ..)) if object.frame.is_some_and(|body| !self.is_running(body)) => {
                 Err(FaultKind::InvalidAddress.into())
             }
-            Some((_, layout, cell, within)) => Ok((layout, cell, within)),
+            Some((_, layout, cell, within)) => Ok((self.layout(layout)?, cell, within)),
             None => Err(FaultKind::InvalidAddress.into()),
         }
     }
@@ -50,15 +51,7 @@ impl<'p> Machine<'p> {
     /// Replaces an address in bytes on the stack by that of the cell of a value of a layout.
     pub(super) fn locate(&mut self, id: LayoutId) -> Result<(), Halt> {
         let address = self.pop()?;
-        let (found, cell, within) = self.find(address, id)?;
-        let is_same = match (&self.layout(found)?.kind, &self.layout(id)?.kind) {
-            (LayoutKind::Plain(one), LayoutKind::Plain(other))
-            | (LayoutKind::Text(one, _), LayoutKind::Text(other, _)) => one == other,
-            _ => found == id,
-        };
-        if within > 0 || !is_same {
-            return Err(NOT_MODELLED.into());
-        }
+        let cell = self.own_cell(address, id)?.ok_or(NOT_MODELLED)?;
         self.operands.push(cell.into());
         Ok(())
     }
@@ -109,18 +102,21 @@ impl<'p> Machine<'p> {
         }
     }
 
-    /// Returns the cell of a value that is of the type of the pointer to it.
+    /// Returns the cell of the value at an address; `None` where it is not of the type of the pointer.
     fn own_cell(&mut self, address: u64, id: LayoutId) -> Result<Option<Address>, Halt> {
         let (found, cell, within) = self.find(address, id)?;
-        let (ty, _) = self.plain_layout(id)?;
-        let is_same = matches!(self.layout(found)?.kind, LayoutKind::Plain(of) if of == ty);
+        let wanted = self.layout(id)?;
+        let is_same = match (&found.kind, &wanted.kind) {
+            (LayoutKind::Plain(one), LayoutKind::Plain(other))
+            | (LayoutKind::Text(one, _), LayoutKind::Text(other, _)) => one == other,
+            _ => std::ptr::eq(found, wanted),
+        };
         Ok((within == 0 && is_same).then_some(cell))
     }
 
     /// Reads the byte at an address, having written it first where one is given.
     fn byte(&mut self, address: u64, id: LayoutId, new: Option<u8>) -> Result<u8, Halt> {
-        let (found, cell, within) = self.find(address, id)?;
-        let layout = self.layout(found)?;
+        let (layout, cell, within) = self.find(address, id)?;
         let replaced = |old: u64, shift: u32| match new {
             Some(byte) => (old & !(0xFF << shift)) | u64::from(byte) << shift,
             None => old,

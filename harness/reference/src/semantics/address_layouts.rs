@@ -1,10 +1,11 @@
-//! How values of each type lie in bytes, behind references and pointers and for SIZEOF.
+//! The layouts of types in bytes, by which references and pointers reach parts of values, and which SIZEOF measures.
 //!
 //! Basis: rule: memory-of-pointers; codesys-pages: _cds_operator_sizeof.
 
 use super::lowering::Lowering;
+use super::model::Storage;
 use super::types::{Structure, TypeId, TypeKind};
-use crate::addresses::{Layout, LayoutId, LayoutKind};
+use crate::addresses::{AddressMap, Layout, LayoutId, LayoutKind, MemoryObject};
 use rustc_hash::FxHashMap;
 use stickler_syntax::tree::VariableKind;
 use stickler_types::{ElementaryType, MomentUnits};
@@ -28,8 +29,14 @@ impl Lowering<'_> {
         if let Some(&known) = self.addresses.known.get(&root) {
             return known;
         }
-        let layout = self.made_layout(root);
-        self.addresses.layouts.push(layout);
+        let (size, align, kind) = self.made_layout(root);
+        let cells = self.model.types.extent(root).size.max(1);
+        self.addresses.layouts.push(Layout {
+            size,
+            align,
+            cells,
+            kind,
+        });
         let id = u32::try_from(self.addresses.layouts.len() - 1).unwrap_or(u32::MAX);
         self.addresses.known.insert(root, id);
         id
@@ -52,7 +59,8 @@ impl Lowering<'_> {
         found.map_or(0, |(offsets, _)| offsets[0])
     }
 
-    fn made_layout(&mut self, root: TypeId) -> Layout {
+    /// Returns the number of bytes of a type, [`u32::MAX`] for all that are more, its alignment and its parts.
+    fn made_layout(&mut self, root: TypeId) -> (u32, u32, LayoutKind) {
         let model = self.model;
         match model.types.kind(root) {
             TypeKind::Elementary(ty) => self.plain(*ty),
@@ -60,23 +68,14 @@ impl Lowering<'_> {
             TypeKind::Enumeration(_) => self.plain(ElementaryType::Int),
             TypeKind::Pointer(_) | TypeKind::Interface(_) => self.plain(ElementaryType::Lword),
             TypeKind::Text { ty, capacity } => {
-                let align = 1 + u32::from(*ty == ElementaryType::Wstring);
-                Layout {
-                    size: (capacity + 1) * align,
-                    align,
-                    cells: 1,
-                    kind: LayoutKind::Text(*ty, *capacity),
-                }
+                let unit = 1 + u32::from(*ty == ElementaryType::Wstring);
+                ((capacity + 1) * unit, unit, LayoutKind::Text(*ty, *capacity))
             }
             TypeKind::Array(shape) => {
                 let element = self.layout(shape.element);
                 let one = &self.addresses.layouts[element as usize];
-                Layout {
-                    size: one.size.saturating_mul(shape.length),
-                    align: one.align,
-                    cells: one.cells.saturating_mul(shape.length),
-                    kind: LayoutKind::Array(element),
-                }
+                let size = one.size.saturating_mul(shape.length);
+                (size, one.align, LayoutKind::Array(element))
             }
             TypeKind::Structure(structure) => self.members(structure, 0),
             TypeKind::FunctionBlock(structure) => self.members(structure, GAP),
@@ -85,26 +84,20 @@ impl Lowering<'_> {
         }
     }
 
-    fn plain(&self, ty: ElementaryType) -> Layout {
+    fn plain(&self, ty: ElementaryType) -> (u32, u32, LayoutKind) {
         use ElementaryType::{Date, Dt, Time, Tod};
         let counts = self.model.source.dialect.conversions.moment_units == MomentUnits::Counts;
         let size = match ty {
             Time | Date | Tod | Dt if counts => 4,
             _ => (ty.bits() / 8).max(1),
         };
-        let kind = LayoutKind::Plain(ty);
-        Layout {
-            size,
-            align: size,
-            cells: 1,
-            kind,
-        }
+        (size, size, LayoutKind::Plain(ty))
     }
 
     /// Lays members out one behind the other, each at a multiple of its alignment, with at least a gap between them. A VAR_IN_OUT, which
     /// holds no value of its own, is left out. Those of what is extended come first.
-    fn members(&mut self, structure: &Structure, gap: u32) -> Layout {
-        let (mut end, mut align, mut cells) = (0_u32, 1, 0);
+    fn members(&mut self, structure: &Structure, gap: u32) -> (u32, u32, LayoutKind) {
+        let (mut end, mut align) = (0_u32, 1);
         let mut members = Vec::new();
         let types = &self.model.types;
         let mut levels = vec![structure];
@@ -112,23 +105,54 @@ impl Lowering<'_> {
             levels.push(base);
         }
         for (_, member) in levels.iter().rev().flat_map(|level| level.members.iter()) {
-            cells = member.offset.saturating_add(1);
             if member.kind == VariableKind::InOut {
                 continue;
             }
             let id = self.layout(member.ty);
             let layout = &self.addresses.layouts[id as usize];
-            let offset = end.next_multiple_of(layout.align);
+            let offset = end.checked_next_multiple_of(layout.align).unwrap_or(u32::MAX);
             align = align.max(layout.align);
             end = offset.saturating_add(layout.size).saturating_add(gap);
-            cells = member.offset.saturating_add(layout.cells);
             members.push(([offset, member.offset], id));
         }
-        Layout {
-            size: end.next_multiple_of(align).max(1),
-            align,
-            cells: cells.max(1),
-            kind: LayoutKind::Members(members.into()),
+        let size = end.checked_next_multiple_of(align).unwrap_or(u32::MAX).max(1);
+        (size, align, LayoutKind::Members(members.into()))
+    }
+
+    /// Makes the map by which the machine finds variables, once all code is there.
+    pub(super) fn address_map(&mut self) -> AddressMap {
+        let mut objects = Vec::new();
+        if self.addresses.are_taken && !self.reporter.has_errors() {
+            let model = self.model;
+            let of_pous = model.pous.iter().flat_map(|entry| {
+                let frame = entry.is_function().then_some(entry.body);
+                entry
+                    .variables
+                    .clone()
+                    .map(move |index| (model.variable(index), None, frame))
+            });
+            let of_instances = model.instances.iter().flat_map(|instance| {
+                let variables = model.pous[instance.pou as usize].variables.clone();
+                variables.map(|index| (model.variable(index), Some(instance.base), None))
+            });
+            let globals = model
+                .variables
+                .iter()
+                .filter(|variable| variable.kind == VariableKind::Global);
+            let globals = globals.map(|variable| (variable, None, None));
+            for (variable, base, frame) in of_pous.chain(of_instances).chain(globals) {
+                let cell = match (variable.storage, base) {
+                    _ if variable.kind == VariableKind::External => continue,
+                    (Storage::Absolute(cell), None) => cell,
+                    (Storage::Instance(offset), Some(base)) => base + offset,
+                    _ => continue,
+                };
+                let layout = self.layout(variable.ty);
+                objects.push(MemoryObject { cell, layout, frame });
+            }
+            objects.sort_by_key(|object| object.cell);
         }
+        let layouts = std::mem::take(&mut self.addresses.layouts);
+        AddressMap { layouts, objects }
     }
 }

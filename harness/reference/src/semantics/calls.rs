@@ -71,7 +71,8 @@ impl<'m> Lowering<'m> {
         };
         // Only a function block is called by a variable's name, so any other variable hides no function, neither
         // a function's result nor `max` in `max := MAX(max, n)`.
-        match (self.block_or_not(variable.ty), self.named_callee(name)) {
+        let ty = self.model.types.named_type(variable.ty);
+        match (self.block_or_not(ty), self.named_callee(name)) {
             (block @ Callee::Block(_), _) => block,
             (neither, Callee::Nothing(..) | Callee::Silent) => neither,
             (_, function) => function,
@@ -130,10 +131,10 @@ impl<'m> Lowering<'m> {
         }
         let dialect = self.model.source.dialect;
         let name = dialect.standard_name(name.text);
-        if let Some(function) = AddressFunction::of(name) {
-            return match dialect.has_pointers(function.feature()) {
-                true => Callee::Address(function),
-                false => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+        if let Some((function, feature)) = AddressFunction::of(name) {
+            return match dialect.lacks(feature) {
+                true => Callee::Nothing(Code::FunctionCallUndeclared, NOT_IN_DIALECT),
+                false => Callee::Address(function),
             };
         }
         if let Some(standard) = standard_function(name) {

@@ -125,12 +125,8 @@ impl Lowering<'_> {
             && let Some(ty) = folds(operation.action, right)
         {
             return match combine(link.operator, left, right) {
-                Err((Code::ConstantExpressionDivisionByZero, message)) => {
-                    self.report(
-                        Code::ConstantExpressionDivisionByZero,
-                        self.span(link.node),
-                        message,
-                    );
+                Err((code @ Code::ConstantExpressionDivisionByZero, message)) => {
+                    self.report(code, self.span(link.node), message);
                     LoweredValue::ERROR
                 }
                 result => self.folded(link.node, start, ty, result.ok()),
@@ -172,9 +168,11 @@ impl Lowering<'_> {
     }
 
     fn act(&mut self, link: &Link, action: Action) {
+        let span = self.span(link.node);
+        let dialect = self.model.source.dialect;
         match action {
             Action::Arithmetic(operator, ty) => {
-                self.emit_at(self.span(link.node), Instruction::Arithmetic(operator, ty));
+                self.emit_at(span, Instruction::Arithmetic(operator, ty));
                 self.wrap_duration(ty);
             }
             Action::Scale {
@@ -185,27 +183,24 @@ impl Lowering<'_> {
                 if swapped {
                     self.emit(Instruction::Swap);
                 }
-                let is_least = self.model.source.dialect.infinite_products;
-                self.emit_at(
-                    self.span(link.node),
-                    Instruction::ScaleDuration(operator, number, is_least),
-                );
+                let scaled = Instruction::ScaleDuration(operator, number, dialect.infinite_products);
+                self.emit_at(span, scaled);
                 // A scaled LTIME wraps by itself.
-                if link
-                    .operation
-                    .is_some_and(|operation| operation.result == TypeId::of(ElementaryType::Time))
-                {
+                let result = link.operation.map(|operation| operation.result);
+                if result == Some(TypeId::of(ElementaryType::Time)) {
                     self.wrap_duration(ElementaryType::Time);
                 }
             }
             Action::Power { base, exponent } => {
-                let stops = self.model.source.dialect.division_stops;
-                let power = Instruction::Power {
-                    base,
-                    exponent,
-                    stops,
-                };
-                self.emit_at(self.span(link.node), power);
+                let stops = dialect.division_stops;
+                self.emit_at(
+                    span,
+                    Instruction::Power {
+                        base,
+                        exponent,
+                        stops,
+                    },
+                );
             }
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),
@@ -230,9 +225,7 @@ impl Lowering<'_> {
         self.emitter.land(jump);
         (cell, decided)
     }
-}
 
-impl Lowering<'_> {
     /// Keeps of the TIME on the stack what its count holds, where a TIME is a count of milliseconds without a sign.
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`time_basic`, `date_negative_difference`).

@@ -1,7 +1,7 @@
 //! Decides whether a value may stand where a type is expected, and where a literal without a type may.
 
 use super::inferred::Inferred;
-use super::pointer_types::fits_pointer;
+use super::pointer_types::{addresses_are_numbers, fits_pointer};
 use super::types::{TypeId, TypeKind, TypeTable};
 use crate::conversion::{implicit, of_operand};
 use stickler_types::dialect::Dialect;
@@ -55,11 +55,8 @@ impl ValueContext {
     /// Basis: rule: literal-as-operand (an initializer always takes one; a parameter and the target of an assignment
     /// by dialect). An operand takes the other's type in every dialect.
     fn takes_integer_as_bits(self, dialect: &Dialect) -> bool {
-        dialect.integer_literal_as_bit_string
-            || matches!(
-                self,
-                ValueContext::Initializer | ValueContext::Operand | ValueContext::CommonArgument
-            )
+        use ValueContext::{CommonArgument, Initializer, Operand};
+        dialect.integer_literal_as_bit_string || matches!(self, Initializer | Operand | CommonArgument)
     }
 }
 
@@ -92,14 +89,14 @@ pub(super) fn fit(
     let fits = match value {
         Inferred::Error | Inferred::Pending => return Fit::Silent,
         Inferred::Nothing => false,
-        Inferred::Known(ty) if ty == target => true,
+        Inferred::Known(ty) if ty == target || types.is_same(ty, target) => true,
         Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
             types.derives(ty, target)
         }
         Inferred::Known(ty) if types.pointer(ty).or(types.pointer(target)).is_some() => {
             fits_pointer(ty, target, types, dialect)
         }
-        Inferred::Integer(_) if types.pointer(target).is_some() => dialect.has_pointers("pointer-arithmetic"),
+        Inferred::Integer(_) if types.pointer(target).is_some() => addresses_are_numbers(dialect),
         Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
             (Some(from), Some(to)) => match context {
                 ValueContext::Operand | ValueContext::CommonArgument => of_operand(from, to, dialect),
@@ -130,7 +127,7 @@ pub(super) fn fit(
 /// LWORD for an address that does.
 pub(super) fn elementary_value(ty: TypeId, types: &TypeTable, dialect: &Dialect) -> Option<ElementaryType> {
     let counts = dialect.enumerations_as_integers && matches!(types.kind(ty), TypeKind::Enumeration(_));
-    let is_address = || types.pointer(ty).is_some() && dialect.has_pointers("pointer-arithmetic");
+    let is_address = || types.pointer(ty).is_some() && addresses_are_numbers(dialect);
     ty.elementary()
         .or(counts.then_some(ElementaryType::Int))
         .or_else(|| is_address().then_some(ElementaryType::Lword))

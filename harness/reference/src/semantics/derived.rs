@@ -4,10 +4,10 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::misfit::describe;
-use super::types::{TypeId, TypeKind};
+use super::types::{TypeId, TypeKind, TypeMember};
 use stickler_syntax::tree::{ExpressionId, ExpressionKind};
 
-impl Lowering<'_> {
+impl<'m> Lowering<'m> {
     /// Returns whether a value would have to convert to the type of `target` although it, or `target`, is of a user-defined type that
     /// converts to nothing. A value of the same elementary type stays what it is.
     ///
@@ -28,10 +28,8 @@ impl Lowering<'_> {
         target: TypeId,
         context: ValueContext,
     ) {
-        let declared = self
-            .declared_type_of(id)
-            .filter(|&ty| self.model.types.is_derived(ty));
         let types = &self.model.types;
+        let declared = self.declared_type_of(id).filter(|&ty| types.is_derived(ty));
         let from = declared.map_or_else(|| describe(types, inferred), |ty| types.name(ty));
         let message = format!(
             "{from} does not convert implicitly to {}: a user-defined type never does",
@@ -42,28 +40,39 @@ impl Lowering<'_> {
 
     /// Returns whether an expression is a variable, or the result of a function, that is declared with a user-defined type.
     pub(super) fn is_of_derived_type(&mut self, id: ExpressionId) -> bool {
-        self.declared_type_of(id)
-            .is_some_and(|ty| self.model.types.is_derived(ty))
+        let declared = self.declared_type_of(id);
+        declared.is_some_and(|ty| self.model.types.is_derived(ty))
     }
 
     /// Returns the type with which the variable or the function of an expression is declared; `None` for all that is computed.
     pub(super) fn declared_type_of(&mut self, id: ExpressionId) -> Option<TypeId> {
+        let types = &self.model.types;
         match self.expression(self.model.source.bare(id)).kind {
             ExpressionKind::Name(name) => Some(self.variable(name.text)?.1.ty),
             ExpressionKind::Field { base, field } => {
                 let ty = self.known_type(base)?;
-                Some(self.model.types.element(ty, field.text)?.ty)
+                let member = self.member_of(base, ty, field.text)?;
+                Some(member.ty)
             }
-            ExpressionKind::Index { base, .. } => {
-                let ty = self.known_type(base)?;
-                match self.model.types.kind(ty) {
-                    TypeKind::Array(shape) => Some(shape.element),
-                    _ => None,
+            ExpressionKind::Index { base, ref subscripts } => match types.kind(self.known_type(base)?) {
+                TypeKind::Array(shape) if shape.dimensions.len() == subscripts.len() => Some(shape.element),
+                TypeKind::Pointer(pointer) if self.has_elements(*pointer, subscripts.len()) => {
+                    Some(pointer.target)
                 }
-            }
+                _ => None,
+            },
             ExpressionKind::Dereference { base } => self.target_type(base),
             ExpressionKind::Call { callee, .. } => self.declared_result(callee),
             _ => None,
+        }
+    }
+
+    /// Returns the element or variable of a name that can be reached in what an expression of a type names: all of the instance whose
+    /// code is running.
+    pub(super) fn member_of(&self, base: ExpressionId, ty: TypeId, name: &str) -> Option<&'m TypeMember> {
+        match self.own_instance_of(base) {
+            Some(_) => self.model.types.member(ty, name),
+            None => self.model.types.element(ty, name),
         }
     }
 

@@ -69,18 +69,6 @@ impl Emitter {
         self.trace.take().map(Trace::finish).unwrap_or_default()
     }
 
-    /// Returns where a routine begins.
-    pub(super) fn label(&self, routine: RoutineId) -> Label {
-        self.routines.get(routine as usize).copied().unwrap_or_default()
-    }
-
-    /// Returns where routines begin, in the order of the code.
-    pub(super) fn sorted_labels(&self) -> Vec<Label> {
-        let mut labels = self.routines.clone();
-        labels.sort_unstable();
-        labels
-    }
-
     /// Begins a routine.
     pub(super) fn begin(&mut self, routine: RoutineId) {
         self.routines[routine as usize] = self.position();

@@ -65,9 +65,8 @@ impl<'m> Lowering<'m> {
             Callee::Block(pou) | Callee::Function(pou) | Callee::Method(_, pou) => {
                 let entry = &self.model.pous[pou as usize];
                 let declares = |name| entry.scope.contains_key(&CaseFolded(name));
-                let gives_many = entry
-                    .result
-                    .is_some_and(|result| self.is_aggregate(self.model.variable(result).ty));
+                let result = entry.result.map(|result| self.model.variable(result).ty);
+                let gives_many = result.is_some_and(|ty| self.is_aggregate(ty));
                 !declares("EN") && !declares("ENO") && !gives_many
             }
             Callee::Standard(_) | Callee::Conversion(_) | Callee::Concatenation(_) => true,
@@ -91,12 +90,8 @@ impl<'m> Lowering<'m> {
         if value.ty == TypeId::ERROR {
             return value;
         }
-        let result = VariablePlace {
-            location: Location::Absolute(self.temporary_of(value.ty, span)),
-            ty: value.ty,
-            part: None,
-            constant: false,
-        };
+        let location = Location::Absolute(self.temporary_of(value.ty, span));
+        let result = VariablePlace::new(location, value.ty);
         self.store(result, span);
         let end = self.emitter.jump();
         self.emitter.land(skip);

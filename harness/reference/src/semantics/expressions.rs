@@ -103,8 +103,8 @@ impl<'m> Lowering<'m> {
 
     /// Converts the value on the stack to a type that it may convert to.
     pub(super) fn adapt(&mut self, value: LoweredValue, to: TypeId) -> LoweredValue {
-        if value.ty == to {
-            return value;
+        if value.ty == to || self.model.types.is_same(value.ty, to) {
+            return LoweredValue { ty: to, ..value };
         }
         let is_interface = || matches!(self.model.types.kind(to), TypeKind::Interface(_));
         if value.ty != TypeId::ERROR && (self.model.types.pointer(to).is_some() || is_interface()) {
@@ -113,10 +113,8 @@ impl<'m> Lowering<'m> {
         }
         let dialect = self.model.source.dialect;
         let from = elementary_value(value.ty, &self.model.types, dialect);
-        let conversion = from.zip(to.elementary());
-        let Some(conversion) = conversion
-            .and_then(|(from, to)| of_operand(from, to, dialect).or_else(|| narrowed(from, to, dialect)))
-        else {
+        let converts = |(from, to)| of_operand(from, to, dialect).or_else(|| narrowed(from, to, dialect));
+        let Some(conversion) = from.zip(to.elementary()).and_then(converts) else {
             return LoweredValue::ERROR;
         };
         self.emitter.convert(conversion);
@@ -174,14 +172,17 @@ impl<'m> Lowering<'m> {
     pub(super) fn value(&mut self, id: ExpressionId, wanted: Option<TypeId>) -> LoweredValue {
         let expression = self.expression(id);
         match &expression.kind {
-            ExpressionKind::Literal(literal) => self.literal(
-                Signed {
-                    literal,
-                    negative: false,
-                    span: expression.span,
-                },
-                wanted,
-            ),
+            ExpressionKind::Literal(literal) => {
+                let (negative, span) = (false, expression.span);
+                self.literal(
+                    Signed {
+                        literal,
+                        negative,
+                        span,
+                    },
+                    wanted,
+                )
+            }
             ExpressionKind::Name(name) => self.name(id, *name, wanted),
             ExpressionKind::EnumeratedValue(word) => self.enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { .. }
@@ -212,10 +213,8 @@ impl<'m> Lowering<'m> {
                 if let Some((ty, number)) = number {
                     return self.enumerated_value(ty, number);
                 }
-                let message = format!(
-                    "more than one enumeration has a value `{0}`; write TYPE#{0}",
-                    name.text
-                );
+                let text = name.text;
+                let message = format!("more than one enumeration has a value `{text}`; write TYPE#{text}");
                 self.report(Code::EnumValueAmbiguous, name.span, message);
                 LoweredValue::ERROR
             }
@@ -326,10 +325,11 @@ impl<'m> Lowering<'m> {
             && literal.prefix().is_none()
             && self.infer_literal(literal, true).is_untyped_number()
         {
+            let negative = true;
             return self.literal(
                 Signed {
                     literal,
-                    negative: true,
+                    negative,
                     span,
                 },
                 wanted,
@@ -343,11 +343,8 @@ impl<'m> Lowering<'m> {
         if value.ty == TypeId::ERROR {
             return value;
         }
-        let ty = value
-            .ty
-            .elementary()
-            .filter(|&ty| defined(operator, inferred, dialect) && defined_for(operator, ty, dialect));
-        let Some(ty) = ty else {
+        let is_defined = |ty: &_| defined(operator, inferred, dialect) && defined_for(operator, *ty, dialect);
+        let Some(ty) = value.ty.elementary().filter(is_defined) else {
             let name = self.model.types.name(value.ty);
             let message = format!("`{}` is not defined for {name}", symbol(operator));
             self.report(Code::OperatorOperandTypeMismatch, span, message);
@@ -417,9 +414,8 @@ pub(super) const fn opposite(ty: ElementaryType, raw: u64) -> u64 {
 /// Returns the raw form of a number that a type holds.
 pub(super) fn fitting(ty: ElementaryType, number: Option<i128>) -> Option<u64> {
     let (low, high) = ty.integer_range()?;
-    number
-        .filter(|number| (low..=high).contains(number))
-        .map(|number| ty.wrap(number))
+    let number = number.filter(|number| (low..=high).contains(number))?;
+    Some(ty.wrap(number))
 }
 
 fn symbol(operator: UnaryOperator) -> &'static str {

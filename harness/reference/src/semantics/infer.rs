@@ -52,9 +52,12 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Literal(literal) => self.infer_literal(literal, false),
             ExpressionKind::Name(name) => self.infer_name(id, *name),
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
-            ExpressionKind::Field { base, field } => self.infer_field(id, *base, *field),
-            ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
-            ExpressionKind::Dereference { base } => self.infer_dereference(*base),
+            ExpressionKind::Field { .. }
+            | ExpressionKind::Index { .. }
+            | ExpressionKind::Dereference { .. } => match self.declared_type_of(id) {
+                Some(ty) => self.inferred_of(ty),
+                None => self.infer_property(id),
+            },
             ExpressionKind::Bit { base, .. } => self.infer_part(*base, ElementaryType::Bool),
             ExpressionKind::Part { base, part, .. } => self.infer_part(*base, *part),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
@@ -98,9 +101,8 @@ impl<'m> Lowering<'m> {
         let owner = owner.map(|owner| &self.model.pous[owner as usize]);
         let mut scopes = entry.into_iter().chain(owner);
         let local = scopes.find_map(|entry| entry.enumerated.get(&CaseFolded(name)));
-        local
-            .or_else(|| self.model.enumerated.get(&CaseFolded(name)))
-            .copied()
+        let found = local.or_else(|| self.model.enumerated.get(&CaseFolded(name)));
+        found.copied()
     }
 
     /// Returns the type that a name declares; of the third edition's, the one that the text declares wins.
@@ -112,52 +114,19 @@ impl<'m> Lowering<'m> {
     }
 
     fn infer_enumerated(&self, type_name: Name<'m>, value: Name<'m>) -> Inferred {
-        match self.declared_type(type_name.text) {
-            Some(ty) => match self.model.types.kind(ty) {
-                TypeKind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
-                    self.inferred_of(ty)
-                }
-                _ => Inferred::Error,
-            },
-            None => Inferred::Error,
-        }
-    }
-
-    fn infer_field(&mut self, id: ExpressionId, base: ExpressionId, field: Name<'m>) -> Inferred {
-        let Inferred::Known(ty) = self.infer(base) else {
-            return Inferred::Error;
-        };
-        let member = match self.own_instance_of(base) {
-            Some(_) => self.model.types.member(ty, field.text),
-            None => self.model.types.element(ty, field.text),
-        };
-        match member {
-            Some(member) => self.inferred_of(member.ty),
-            None => self.infer_property(id),
-        }
-    }
-
-    fn infer_element(&mut self, base: ExpressionId, subscripts: usize) -> Inferred {
-        let Inferred::Known(ty) = self.infer(base) else {
-            return Inferred::Error;
-        };
+        let ty = self.declared_type(type_name.text).unwrap_or(TypeId::ERROR);
         match self.model.types.kind(ty) {
-            TypeKind::Array(shape) if shape.dimensions.len() == subscripts => self.inferred_of(shape.element),
-            TypeKind::Pointer(pointer) if self.has_elements(*pointer, subscripts) => {
-                self.inferred_of(pointer.target)
+            TypeKind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
+                self.inferred_of(ty)
             }
             _ => Inferred::Error,
         }
     }
 
     fn infer_part(&mut self, base: ExpressionId, part: ElementaryType) -> Inferred {
-        let Some(ty) = self.infer(base).elementary() else {
-            return Inferred::Error;
-        };
-        if ty.is_integer() || ty.is_bit_string() {
-            Inferred::Known(TypeId::of(part))
-        } else {
-            Inferred::Error
+        match self.infer(base).elementary() {
+            Some(ty) if ty.is_integer() || ty.is_bit_string() => Inferred::from(part),
+            _ => Inferred::Error,
         }
     }
 
@@ -185,9 +154,7 @@ impl<'m> Lowering<'m> {
 /// type.
 pub(super) fn defined(operator: UnaryOperator, operand: Inferred, dialect: &Dialect) -> bool {
     match operand {
-        Inferred::Known(ty) => ty
-            .elementary()
-            .is_some_and(|ty| defined_for(operator, ty, dialect)),
+        Inferred::Known(ty) => (ty.elementary()).is_some_and(|ty| defined_for(operator, ty, dialect)),
         Inferred::Integer(_) => true,
         Inferred::Real => operator != UnaryOperator::Not,
         _ => false,

@@ -6,7 +6,7 @@ use super::contexts::ValueContext;
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
 use super::model::{DeclaredVariable, DefaultInitialValue};
-use super::types::{DefaultValue, TypeId, TypeKind};
+use super::types::{DefaultValue, TypeId, TypeKind, TypeMember};
 use crate::instruction::{Instruction, RoutineId};
 use std::ops::Range;
 use stickler_syntax::source::Span;
@@ -41,23 +41,15 @@ impl<'m> Lowering<'m> {
         }
         match (&initializer.kind, self.model.types.kind(ty)) {
             (InitializerKind::Expression(id), _) => {
-                let place = VariablePlace {
-                    location,
-                    ty,
-                    part: None,
-                    constant: false,
-                };
+                let place = VariablePlace::new(location, ty);
                 self.begin_store(place);
                 self.coerce(*id, ty, ValueContext::Initializer);
                 self.finish_store(place, initializer.span);
             }
             (InitializerKind::Array(elements), TypeKind::Array(shape)) => {
                 self.default_value(location, ty);
-                let lengths: Vec<_> = shape
-                    .dimensions
-                    .iter()
-                    .map(|dimension| dimension.length())
-                    .collect();
+                let dimensions = shape.dimensions.iter();
+                let lengths: Vec<_> = dimensions.map(|dimension| dimension.length()).collect();
                 self.elements(location, shape.element, &lengths, elements, initializer.span);
             }
             (InitializerKind::Structure(fields), TypeKind::Structure(_) | TypeKind::FunctionBlock(_)) => {
@@ -81,12 +73,7 @@ impl<'m> Lowering<'m> {
         match self.model.types.extent(ty).default {
             DefaultValue::Zero => {}
             DefaultValue::Constant(raw) => {
-                let place = VariablePlace {
-                    location,
-                    ty,
-                    part: None,
-                    constant: false,
-                };
+                let place = VariablePlace::new(location, ty);
                 self.begin_store(place);
                 self.emit(Instruction::Push(raw));
                 self.finish_store(place, Span::default());
@@ -105,10 +92,8 @@ impl<'m> Lowering<'m> {
                 self.value(*id, None);
             }
             InitializerKind::Array(elements) => {
-                elements
-                    .iter()
-                    .flat_map(|element| &element.values)
-                    .for_each(|value| self.lower_initializer(value));
+                let values = elements.iter().flat_map(|element| &element.values);
+                values.for_each(|value| self.lower_initializer(value));
             }
             InitializerKind::Structure(fields) => {
                 fields.iter().for_each(|(_, value)| self.lower_initializer(value));
@@ -130,10 +115,8 @@ impl<'m> Lowering<'m> {
         let mut position = 0_u32;
         let mut too_many = false;
         for entry in entries {
-            let widths = entry
-                .values
-                .iter()
-                .map(|value| self.width(value, element, lengths));
+            let values = entry.values.iter();
+            let widths = values.map(|value| self.width(value, element, lengths));
             let width = widths.fold(0, u32::saturating_add).max(1);
             let count = self.repetition(entry);
             let whole = count.min((total - position) / width);
@@ -142,11 +125,7 @@ impl<'m> Lowering<'m> {
                 self.in_a_row(location, element, lengths, &entry.values, position..total);
                 if whole > 1 && !entry.values.is_empty() {
                     let block = self.shifted(location, position.saturating_mul(size));
-                    self.push_address(block);
-                    self.emit(Instruction::Replicate {
-                        stride: width.saturating_mul(size),
-                        count: whole,
-                    });
+                    self.replicate(block, width.saturating_mul(size), whole);
                 }
                 position += whole * width;
             }
@@ -161,6 +140,12 @@ impl<'m> Lowering<'m> {
             let message = format!("more than {total} initial values for {total} elements");
             self.report(Code::InitializerTypeMismatch, span, message);
         }
+    }
+
+    /// Repeats what lies in the first `stride` cells of a location, which count as the first time.
+    fn replicate(&mut self, location: Location, stride: u32, count: u32) {
+        self.push_address(location);
+        self.emit(Instruction::Replicate { stride, count });
     }
 
     /// Sets elements to values, once each, as far as there is room. Returns the position behind them. Where a list of
@@ -216,16 +201,13 @@ impl<'m> Lowering<'m> {
     /// Returns how often an element is repeated.
     fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
         let Some(id) = element.repetition else { return 1 };
-        let Some(number) = self.constant_number(id) else {
-            return 0;
-        };
-        u32::try_from(number).unwrap_or_else(|_| {
-            self.report(
-                Code::ConstantOverflow,
-                self.span(id),
-                format!("{number} is no number of repetitions"),
-            );
-            0
+        let number = self.constant_number(id);
+        number.map_or(0, |number| {
+            u32::try_from(number).unwrap_or_else(|_| {
+                let message = format!("{number} is no number of repetitions");
+                self.report(Code::ConstantOverflow, self.span(id), message);
+                0
+            })
         })
     }
 
@@ -235,12 +217,9 @@ impl<'m> Lowering<'m> {
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let member = self
-                .model
-                .types
-                .member(ty, name.text)
-                .filter(|member| !matches!(member.kind, VariableKind::InOut | VariableKind::External));
-            let Some(member) = member else {
+            let is_own =
+                |member: &&TypeMember| !matches!(member.kind, VariableKind::InOut | VariableKind::External);
+            let Some(member) = self.model.types.member(ty, name.text).filter(is_own) else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
                 self.report(Code::VariableUndefined, name.span, message);
                 self.lower_initializer(value);
@@ -275,11 +254,8 @@ impl<'m> Lowering<'m> {
                         };
                         self.set_line(name.span);
                         let muted = self.reporter.mute(index > 0);
-                        self.initialize(
-                            Location::Instance(member.offset),
-                            member.ty,
-                            group.initializer.as_ref(),
-                        );
+                        let location = Location::Instance(member.offset);
+                        self.initialize(location, member.ty, group.initializer.as_ref());
                         self.reporter.mute(muted);
                     }
                 }
@@ -290,12 +266,7 @@ impl<'m> Lowering<'m> {
                 };
                 self.default_value(start, shape.element);
                 if shape.length > 1 {
-                    self.push_address(start);
-                    let stride = model.types.extent(shape.element).size;
-                    self.emit(Instruction::Replicate {
-                        stride,
-                        count: shape.length,
-                    });
+                    self.replicate(start, model.types.extent(shape.element).size, shape.length);
                 }
             }
             DefaultInitialValue::Declared(base, initializer) => {

@@ -14,9 +14,8 @@ use super::model::{DeclaredVariable, Storage};
 use super::trace::UseKind;
 use super::types::{TypeId, TypeKind};
 use crate::instruction::Instruction;
-use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
+use stickler_syntax::tree::{Argument, ExpressionId, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The type that a cell with an address counts as.
@@ -96,8 +95,7 @@ impl<'m> Lowering<'m> {
         let Some(place) = self.place(instance) else {
             return self.lower_arguments(arguments);
         };
-        let place = self.located(place);
-        let location = self.pinned(place.location, span);
+        let location = self.pinned(place, span);
         let Some(bound) = self.bind(pou, arguments, span) else {
             return;
         };
@@ -120,12 +118,7 @@ impl<'m> Lowering<'m> {
             (Storage::AbsolutePointer(cell), _) => (Location::Absolute(cell), ADDRESS),
             (storage, _) => (Location::of(storage), variable.ty),
         };
-        VariablePlace {
-            location,
-            ty,
-            part: None,
-            constant: false,
-        }
+        VariablePlace::new(location, ty)
     }
 
     /// Evaluates the arguments and leaves them on the stack; gives the places where they belong.
@@ -157,40 +150,22 @@ impl<'m> Lowering<'m> {
     fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &DeclaredVariable<'_>) {
         let ty = parameter.ty;
         let span = self.span(argument);
-        if !self.is_variable(argument) {
-            let value = self.value(argument, None);
-            if value.ty != TypeId::ERROR || self.infer(argument) == Inferred::Nothing {
-                self.report(
-                    Code::FunctionCallInOutArgNotVariable,
-                    span,
-                    "VAR_IN_OUT needs a variable",
-                );
-            }
+        let (code, what) = (
+            Code::FunctionCallInOutArgNotVariable,
+            "VAR_IN_OUT needs a variable",
+        );
+        let Some(place) = self.whole_place(argument, code, what) else {
             return;
-        }
-        let Some(place) = self.place(argument) else { return };
-        if place.part.is_some() {
-            let message = "VAR_IN_OUT needs a variable; a part of one is none";
-            self.report(Code::FunctionCallInOutArgNotVariable, span, message);
-            return;
-        }
-        let types = &self.model.types;
-        let texts = self.is_text(ty) && self.is_text(place.ty);
-        // Each text variable keeps to its own length, so that only the kind of text matters.
-        let same = match texts {
-            true => types.value_type(ty) == types.value_type(place.ty),
-            false => types.root(ty) == types.root(place.ty) || self.is_derived_block(place.ty, ty),
         };
+        let types = &self.model.types;
+        let same = types.is_same_variable(place.ty, ty) || self.is_derived_block(place.ty, ty);
         if !same && ty != TypeId::ERROR {
             let (needed, given) = (types.name(ty), types.name(place.ty));
             let message = format!("VAR_IN_OUT needs a variable of type {needed}, not {given}");
             self.report(Code::FunctionCallInOutArgTypeMismatch, span, message);
         } else if place.constant && !parameter.constant {
-            self.report(
-                Code::InOutArgNotWritable,
-                span,
-                "VAR_IN_OUT needs a variable that can be written",
-            );
+            let message = "VAR_IN_OUT needs a variable that can be written";
+            self.report(Code::InOutArgNotWritable, span, message);
         }
         let place = self.located(place);
         self.push_address(place.location);
@@ -200,16 +175,6 @@ impl<'m> Lowering<'m> {
     fn is_derived_block(&self, ty: TypeId, base: TypeId) -> bool {
         let types = &self.model.types;
         matches!(types.kind(base), TypeKind::FunctionBlock(_)) && types.derives(ty, types.root(base))
-    }
-
-    /// Returns whether an expression has the form of a variable, and is no enumerated value.
-    fn is_variable(&self, id: ExpressionId) -> bool {
-        match self.expression(id).kind {
-            ExpressionKind::Name(name) => {
-                self.variable(name.text).is_some() || self.enumerated_name(name.text).is_none()
-            }
-            _ => self.names_a_place(id),
-        }
     }
 
     /// Copies outputs to their targets: first all are read, then all are written, the last one first.
@@ -261,16 +226,9 @@ impl<'m> Lowering<'m> {
             && (is_derived || self.is_of_derived_type(capture.target));
         if !fits || refused {
             let types = &self.model.types;
-            let message = format!(
-                "{} does not convert implicitly to {}",
-                types.name(from),
-                types.name(to)
-            );
-            self.reporter.push(SpannedDiagnostic::new(
-                ValueContext::Capture.code(),
-                span,
-                message,
-            ));
+            let (given, needed) = (types.name(from), types.name(to));
+            let message = format!("{given} does not convert implicitly to {needed}");
+            self.report(ValueContext::Capture.code(), span, message);
             self.record_captured(capture.target, from, to, false);
             return false;
         }

@@ -24,13 +24,6 @@ pub(super) enum Location {
     Bytes,
 }
 
-impl Location {
-    /// Returns whether the address is on the stack.
-    pub(super) const fn is_on_stack(self) -> bool {
-        matches!(self, Location::Stack | Location::Bytes)
-    }
-}
-
 /// A variable, an element of one, or a part of its bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VariablePlace {
@@ -44,13 +37,21 @@ pub(super) struct VariablePlace {
 }
 
 impl VariablePlace {
+    /// The whole of a value that can be written.
+    pub(super) const fn new(location: Location, ty: TypeId) -> VariablePlace {
+        VariablePlace {
+            location,
+            ty,
+            part: None,
+            constant: false,
+        }
+    }
+
     /// A whole variable.
     pub(super) fn of(variable: &DeclaredVariable<'_>) -> VariablePlace {
         VariablePlace {
-            location: Location::of(variable.storage),
-            ty: variable.ty,
-            part: None,
             constant: variable.constant,
+            ..VariablePlace::new(Location::of(variable.storage), variable.ty)
         }
     }
 
@@ -101,29 +102,16 @@ impl Lowering<'_> {
         place.location == Location::Bytes && place.part.is_none() && self.cells(place.ty) == CellKind::Plain
     }
 
-    /// Returns whether values of a type are texts.
-    pub(super) fn is_text(&self, ty: TypeId) -> bool {
-        self.cells(ty) == CellKind::Text
-    }
-
     /// The location some cells, or bytes, further on.
-    pub(super) fn shifted(&mut self, location: Location, by: u32) -> Location {
-        match location {
-            Location::Absolute(address) => Location::Absolute(address.saturating_add(by)),
-            Location::Instance(offset) => Location::Instance(offset.saturating_add(by)),
-            Location::Pointer { cell, offset } => Location::Pointer {
-                cell,
-                offset: offset.saturating_add(by),
-            },
-            Location::InstancePointer { cell, offset } => Location::InstancePointer {
-                cell,
-                offset: offset.saturating_add(by),
-            },
-            Location::Stack | Location::Bytes => {
-                self.offset(by);
-                location
+    pub(super) fn shifted(&mut self, mut location: Location, by: u32) -> Location {
+        use Location::{Absolute, Bytes, Instance, InstancePointer, Pointer, Stack};
+        match &mut location {
+            Absolute(offset) | Instance(offset) | Pointer { offset, .. } | InstancePointer { offset, .. } => {
+                *offset = offset.saturating_add(by)
             }
+            Stack | Bytes => self.offset(by),
         }
+        location
     }
 
     fn offset(&mut self, by: u32) {
@@ -150,8 +138,9 @@ impl Lowering<'_> {
         }
     }
 
-    /// The location as one that can be used more than once.
-    pub(super) fn pinned(&mut self, location: Location, span: Span) -> Location {
+    /// Returns the location of a place as one that can be used more than once.
+    pub(super) fn pinned(&mut self, place: VariablePlace, span: Span) -> Location {
+        let location = self.located(place).location;
         if location != Location::Stack {
             return location;
         }
@@ -188,17 +177,24 @@ impl Lowering<'_> {
 
     /// Puts on the stack what must lie below the value that is to be stored.
     pub(super) fn begin_store(&mut self, place: VariablePlace) {
-        let known = matches!(place.location, Location::Absolute(_));
-        match self.cells(place.ty) {
-            _ if self.is_peeked(place) => {}
-            _ if place.location.is_on_stack() => {
-                self.located(place);
-            }
-            _ if place.part.is_some() => self.push_address(place.location),
-            CellKind::Text => {}
-            CellKind::Plain if known => {}
-            CellKind::Plain | CellKind::Many(_) => self.push_address(place.location),
+        if !self.is_peeked(place) {
+            self.located(place);
         }
+        if self.has_address_below(place) {
+            self.push_address(place.location);
+        }
+    }
+
+    /// Returns whether the address of a place lies below the value that is to be stored there; else the place is in the instruction, or
+    /// its address comes last.
+    fn has_address_below(&self, place: VariablePlace) -> bool {
+        let is_in_instruction = matches!(place.location, Location::Absolute(_));
+        place.part.is_some()
+            || match self.cells(place.ty) {
+                CellKind::Text => false,
+                CellKind::Plain => !is_in_instruction,
+                CellKind::Many(_) => true,
+            }
     }
 
     /// Stores the value on the stack, [`Self::begin_store`] having come before it.
@@ -239,17 +235,9 @@ impl Lowering<'_> {
     /// Stores the value on the stack, nothing having been said of the place before; the limits of a subrange
     /// are checked.
     pub(super) fn store(&mut self, place: VariablePlace, span: Span) {
-        let known = matches!(place.location, Location::Absolute(_));
-        if !self.is_peeked(place) {
-            self.located(place);
-        }
-        match self.cells(place.ty) {
-            CellKind::Text => {}
-            CellKind::Plain if known && place.part.is_none() => {}
-            _ => {
-                self.push_address(place.location);
-                self.emit(Instruction::Swap);
-            }
+        self.begin_store(place);
+        if self.has_address_below(place) {
+            self.emit(Instruction::Swap);
         }
         if let (TypeKind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.part) {
             self.emit_at(span, check_range(*limits));
@@ -261,7 +249,7 @@ impl Lowering<'_> {
     fn store_part(&mut self, place: VariablePlace, part: Part, of: ElementaryType, span: Span) {
         self.emit(Instruction::StorePart { part, of });
         if let TypeKind::Subrange(limits) = *self.model.types.kind(place.ty)
-            && !place.location.is_on_stack()
+            && !matches!(place.location, Location::Stack | Location::Bytes)
         {
             self.load(VariablePlace { part: None, ..place });
             self.emit_at(span, check_range(limits));

@@ -78,7 +78,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::AssignmentTypeMismatch, self.span(control), message);
             return None;
         };
-        let location = self.pinned(place.location, self.span(control));
+        let location = self.pinned(place, self.span(control));
         Some((VariablePlace { location, ..place }, ty))
     }
 

@@ -85,12 +85,7 @@ impl<'m> Lowering<'m> {
     /// The place of the instance whose code is running.
     pub(super) fn own_place(&self, own: OwnInstance) -> Option<VariablePlace> {
         let ty = self.model.pous[own.pou as usize].ty;
-        (ty != TypeId::ERROR).then_some(VariablePlace {
-            location: Location::Instance(0),
-            ty,
-            part: None,
-            constant: false,
-        })
+        (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Instance(0), ty))
     }
 
     /// Finds the method or property that an expression names.
@@ -166,10 +161,8 @@ impl<'m> Lowering<'m> {
             return None;
         }
         Some(VariablePlace {
-            location: Location::Stack,
-            ty: value.ty,
-            part: None,
             constant: true,
+            ..VariablePlace::new(Location::Stack, value.ty)
         })
     }
 
@@ -233,12 +226,11 @@ impl<'m> Lowering<'m> {
                 if value.ty == TypeId::ERROR {
                     return None;
                 }
-                self.pinned(Location::Stack, span)
+                self.pinned(VariablePlace::new(Location::Stack, value.ty), span)
             }
             Receiver::Instance(id) => {
                 let place = self.place(id)?;
-                let place = self.located(place);
-                self.pinned(place.location, span)
+                self.pinned(place, span)
             }
         };
         match (receiver, entry.dispatch) {

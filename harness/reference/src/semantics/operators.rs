@@ -366,11 +366,7 @@ impl TypeRules<'_> {
             |value: Inferred| value.is_untyped_number() || value.elementary().is_some_and(is_number);
         let is_short = is_real(left) && (is_real(right) || right == Inferred::Real)
             || is_real(right) && left == Inferred::Real;
-        let ty = if is_short {
-            ElementaryType::Real
-        } else {
-            ElementaryType::Lreal
-        };
+        let ty = [ElementaryType::Lreal, ElementaryType::Real][usize::from(is_short)];
         let (base, exponent) = (ty, ty);
         (is_taken(left) && is_taken(right)).then_some(TypedOperation::new(
             (TypeId::of(ty), TypeId::of(ty)),

@@ -51,10 +51,8 @@ impl<'u> Declarer<'u, '_> {
         } else {
             Code::RecursiveTypeCycle
         };
-        let mut names: Vec<_> = members
-            .iter()
-            .map(|&node| self.name_of(&self.nodes[node]))
-            .collect();
+        let nodes = members.iter().map(|&node| &self.nodes[node]);
+        let mut names: Vec<_> = nodes.map(|node| self.name_of(node)).collect();
         names.push(names[0]);
         let extends = |node: &usize| match self.nodes[*node].declared {
             DeclaredNode::Type(ty) => ty.extends.is_some(),
@@ -104,9 +102,8 @@ impl<'u> Declarer<'u, '_> {
         }
         let routine = self.routine();
         self.define_routine(routine, DefaultInitialValue::Declared(base, initializer));
-        self.model
-            .types
-            .add_alias(base, ty.name.text, DefaultValue::Routine(routine))
+        let default = DefaultValue::Routine(routine);
+        self.model.types.add_alias(base, ty.name.text, default)
     }
 
     /// The number of the value that a declared enumeration begins with, where it is plainly one of its own.
@@ -142,11 +139,12 @@ fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
             bases.for_each(|base| needs.name(*base));
             let instance = pou.members.iter().flat_map(|member| &member.blocks);
             let instance = instance.filter(|block| block.kind == VariableKind::Instance);
-            let held = pou.blocks.iter().chain(instance);
-            let held =
-                held.filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External));
-            held.flat_map(|block| &block.groups)
-                .for_each(|group| needs.specification(&group.specification));
+            let blocks = pou.blocks.iter().chain(instance);
+            let is_held = |kind| !matches!(kind, VariableKind::InOut | VariableKind::External);
+            let groups = blocks
+                .filter(|block| is_held(block.kind))
+                .flat_map(|block| &block.groups);
+            groups.for_each(|group| needs.specification(&group.specification));
         }
     }
     needs.found
@@ -165,9 +163,8 @@ impl Needs<'_, '_> {
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
             TypeSpecificationKind::Structure(groups) => {
-                groups
-                    .iter()
-                    .for_each(|group| self.specification(&group.specification));
+                let specifications = groups.iter().map(|group| &group.specification);
+                specifications.for_each(|specification| self.specification(specification));
             }
             // What leads to a value does not contain it.
             TypeSpecificationKind::Pointer { .. }

@@ -62,11 +62,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Part { base, part, index } => self.part(*base, *part, *index, expression.span),
             ExpressionKind::Error => None,
             _ => {
-                // What is wrong inside is to be said too.
-                let value = self.value(id, None);
-                if value.ty != TypeId::ERROR || self.infer(id) == Inferred::Nothing {
-                    self.report(Code::SyntaxError, expression.span, "a variable is needed here");
-                }
+                self.refuse_value(id, Code::SyntaxError, "a variable is needed here");
                 None
             }
         }
@@ -88,24 +84,15 @@ impl<'m> Lowering<'m> {
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
         };
-        self.report(
-            Code::VariableUndefined,
-            name.span,
-            format!("`{}` {what}", name.text),
-        );
+        let message = format!("`{}` {what}", name.text);
+        self.report(Code::VariableUndefined, name.span, message);
         None
     }
 
     fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<VariablePlace> {
         let place = self.place(base)?;
-        let is_own = self.own_instance_of(base).is_some();
-        let types = &self.model.types;
-        let member = match is_own {
-            true => types.member(place.content(), field.text),
-            false => types.element(place.content(), field.text),
-        };
-        let Some(member) = member else {
-            let name = types.name(place.content());
+        let Some(member) = self.member_of(base, place.content(), field.text) else {
+            let name = self.model.types.name(place.content());
             let message = format!("{name} has no element `{}` that can be reached", field.text);
             self.report(Code::VariableUndefined, field.span, message);
             return None;
@@ -113,10 +100,8 @@ impl<'m> Lowering<'m> {
         let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
-            location,
-            ty: member.ty,
-            part: None,
             constant,
+            ..VariablePlace::new(location, member.ty)
         })
     }
 
@@ -126,33 +111,30 @@ impl<'m> Lowering<'m> {
         subscripts: &[ExpressionId],
         span: Span,
     ) -> Option<VariablePlace> {
+        let types = &self.model.types;
         let place = self.place(base);
-        if let Some(place) = place
-            && let Some(pointer) = self.model.types.pointer(place.content())
-            && self.has_elements(pointer, subscripts.len())
-        {
-            return self.pointer_element(place, pointer, subscripts[0]);
-        }
-        let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
-            TypeKind::Array(shape) => Some(&**shape),
-            _ => None,
-        });
-        let (Some(place), Some(shape)) = (place, shape) else {
-            for &subscript in subscripts {
-                self.value(subscript, None);
+        match place.map(|place| (place, types.kind(place.content()))) {
+            Some((place, TypeKind::Array(shape))) => {
+                let (needed, given) = (shape.dimensions.len(), subscripts.len());
+                if needed != given {
+                    let message = format!("the array has {needed} dimensions, not {given}");
+                    self.report(Code::ArrayDimensionInvalid, span, message);
+                }
+                self.subscripts(place, shape, subscripts)
             }
-            if let Some(place) = place {
-                let message = format!("{} has no elements", self.model.types.name(place.content()));
+            Some((place, TypeKind::Pointer(pointer))) if self.has_elements(*pointer, subscripts.len()) => {
+                self.pointer_element(place, pointer.target, subscripts[0])
+            }
+            _ => {
+                for &subscript in subscripts {
+                    self.value(subscript, None);
+                }
+                let name = types.name(place?.content());
+                let message = format!("{name} has no elements");
                 self.report(Code::OperatorOperandTypeMismatch, span, message);
+                None
             }
-            return None;
-        };
-        if shape.dimensions.len() != subscripts.len() {
-            let (needed, given) = (shape.dimensions.len(), subscripts.len());
-            let message = format!("the array has {needed} dimensions, not {given}");
-            self.report(Code::ArrayDimensionInvalid, span, message);
         }
-        self.subscripts(place, shape, subscripts)
     }
 
     /// The element. What is wrong with a subscript is said, and changes nothing of the element's type, nor of whether it can
@@ -167,10 +149,9 @@ impl<'m> Lowering<'m> {
     ) -> Option<VariablePlace> {
         let mut location = place.location;
         let sizes = (place.location == Location::Bytes).then(|| self.sizes(shape.element));
-        for (&subscript, &dimension) in subscripts.iter().zip(&shape.dimensions) {
-            let mut dimension = dimension;
+        for (&subscript, mut dimension) in subscripts.iter().zip(shape.dimensions.iter().copied()) {
             if let Some((bytes, cells)) = sizes {
-                dimension.stride = dimension.stride / cells * bytes;
+                dimension.stride = (dimension.stride / cells).saturating_mul(bytes);
             }
             location = self.subscript(location, subscript, dimension);
         }
@@ -179,10 +160,8 @@ impl<'m> Lowering<'m> {
         }
         let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
         known.then_some(VariablePlace {
-            location,
-            ty: shape.element,
-            part: None,
             constant: place.constant,
+            ..VariablePlace::new(location, shape.element)
         })
     }
 
@@ -213,15 +192,13 @@ impl<'m> Lowering<'m> {
             return self.shifted(location, distance);
         }
         let unsigned = value.ty.elementary().is_some_and(ElementaryType::is_unsigned);
-        self.emit_at(
-            span,
-            Instruction::Subscript {
-                low,
-                high,
-                stride,
-                unsigned,
-            },
-        );
+        let instruction = Instruction::Subscript {
+            low,
+            high,
+            stride,
+            unsigned,
+        };
+        self.emit_at(span, instruction);
         reached
     }
 
@@ -270,23 +247,13 @@ impl<'m> Lowering<'m> {
         span: Span,
     ) -> Option<VariablePlace> {
         if !self.names_a_place(base) {
-            let value = self.value(base, None);
-            if value.ty != TypeId::ERROR {
-                self.report(
-                    Code::BitAccessTypeInvalid,
-                    self.span(base),
-                    "only a variable has bits",
-                );
-            }
+            self.refuse_value(base, Code::BitAccessTypeInvalid, "only a variable has bits");
             return None;
         }
         let place = self.place(base)?;
         let name = self.model.types.name(place.content());
-        let ty = self
-            .model
-            .elementary(place.content())
-            .filter(|ty| ty.is_integer() || ty.is_bit_string());
-        let Some(ty) = ty else {
+        let ty = self.model.elementary(place.content());
+        let Some(ty) = ty.filter(|ty| ty.is_integer() || ty.is_bit_string()) else {
             self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };
@@ -315,11 +282,9 @@ impl<'m> Lowering<'m> {
         let outer = place.part.map_or(0, |outer| outer.first);
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
-        let location = if limited {
-            let place = self.located(place);
-            self.pinned(place.location, span)
-        } else {
-            place.location
+        let location = match limited {
+            true => self.pinned(place, span),
+            false => place.location,
         };
         Some(VariablePlace {
             location,
@@ -332,16 +297,48 @@ impl<'m> Lowering<'m> {
         })
     }
 
+    /// Returns the place of a variable whose address is taken; reports by this code and message what has none: a value, and a part of
+    /// a variable's bits.
+    pub(super) fn whole_place(
+        &mut self,
+        id: ExpressionId,
+        code: Code,
+        message: &str,
+    ) -> Option<VariablePlace> {
+        let is_value = match self.expression(id).kind {
+            ExpressionKind::Name(name) => {
+                let is_known = self.enumerated_name(name.text).is_some() || self.is_null(name.text);
+                is_known && self.variable(name.text).is_none()
+            }
+            _ => !self.names_a_place(id),
+        };
+        if is_value {
+            self.refuse_value(id, code, message);
+            return None;
+        }
+        let place = self.place(id)?;
+        if place.part.is_some() {
+            self.report(code, self.span(id), format!("{message}; a part of one is none"));
+            return None;
+        }
+        Some(place)
+    }
+
+    /// Reports a value where a variable is needed; what is wrong inside of it is reported instead.
+    fn refuse_value(&mut self, id: ExpressionId, code: Code, message: &str) {
+        let value = self.value(id, None);
+        if value.ty != TypeId::ERROR || self.infer(id) == Inferred::Nothing {
+            self.report(code, self.span(id), message);
+        }
+    }
+
     /// Returns whether an expression has the form of a variable.
     pub(super) fn names_a_place(&self, id: ExpressionId) -> bool {
+        use ExpressionKind::{Bit, Dereference, Field, Index, Name, Part};
+        let kind = &self.expression(id).kind;
         matches!(
-            self.expression(id).kind,
-            ExpressionKind::Name(_)
-                | ExpressionKind::Field { .. }
-                | ExpressionKind::Index { .. }
-                | ExpressionKind::Dereference { .. }
-                | ExpressionKind::Bit { .. }
-                | ExpressionKind::Part { .. }
+            kind,
+            Name(_) | Field { .. } | Index { .. } | Dereference { .. } | Bit { .. } | Part { .. }
         )
     }
 }

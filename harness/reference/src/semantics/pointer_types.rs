@@ -19,7 +19,7 @@ pub(super) struct PendingPointer<'u> {
 }
 
 impl<'u> Declarer<'u, '_> {
-    /// The type of `REF_TO target` and its kin.
+    /// Adds the type of `REF_TO target`, `POINTER TO target` or `REFERENCE TO target`.
     pub(super) fn pointer_type(
         &mut self,
         form: PointerForm,
@@ -27,11 +27,12 @@ impl<'u> Declarer<'u, '_> {
         hint: &'u str,
     ) -> TypeId {
         let ty = self.model.types.add_pointer(form);
+        let pou = self.current;
         let pending = PendingPointer {
             ty,
             target,
             hint,
-            pou: self.current,
+            pou,
         };
         match &mut self.pointers {
             Some(pointers) => pointers.push(pending),
@@ -55,11 +56,11 @@ impl<'u> Declarer<'u, '_> {
         self.check_nested(target, pending.target.span);
     }
 
-    /// Says so where an array, a reference or a pointer is of references, and the dialect has none such.
+    /// Reports a reference as the element of an array or the target of a pointer, where the dialect has none such.
     pub(super) fn check_nested(&mut self, inner: TypeId, span: Span) {
         let of_reference = self.model.types.pointer(inner);
         if of_reference.is_some_and(|inner| inner.form != PointerForm::PointerTo)
-            && !self.model.source.dialect.has_pointers("reference-nested")
+            && self.model.source.dialect.lacks("reference-nested")
         {
             let message = "the dialect has no references to references, nor arrays of them";
             self.report(Code::NestedRefToNotSupported, span, message);
@@ -67,9 +68,14 @@ impl<'u> Declarer<'u, '_> {
     }
 }
 
+/// Returns whether addresses are numbers, so that a pointer of any type leads anywhere.
+pub(super) fn addresses_are_numbers(dialect: &Dialect) -> bool {
+    !dialect.lacks("pointer-arithmetic")
+}
+
 /// Returns whether a value of one type may stand where another is expected, at least one of which is a reference or pointer.
 pub(super) fn fits_pointer(from: TypeId, to: TypeId, types: &TypeTable, dialect: &Dialect) -> bool {
-    let is_free = dialect.has_pointers("pointer-arithmetic");
+    let is_free = addresses_are_numbers(dialect);
     match (types.pointer(from), types.pointer(to)) {
         (Some(_), Some(_)) => {
             from == TypeId::ADDRESS || to == TypeId::ADDRESS || is_free || types.is_same(from, to)

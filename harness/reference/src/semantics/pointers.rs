@@ -8,12 +8,11 @@ use super::contexts::ValueContext;
 use super::inferred::{Inferred, Magnitude};
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
-use super::model::{Storage, TopLevelName};
+use super::model::TopLevelName;
 use super::parameters::single_argument;
-use super::pointer_types::fits_pointer;
+use super::pointer_types::{addresses_are_numbers, fits_pointer};
 use super::types::{PointerType, TypeId, TypeMember};
-use crate::addresses::{AddressMap, MemoryObject};
-use crate::instruction::{Address, ArithmeticOperator, ComparisonOperator, Instruction, Label};
+use crate::instruction::{ArithmeticOperator, ComparisonOperator, Instruction};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     Argument, BinaryOperator, CaseFolded, ExpressionId, ExpressionKind, PointerForm, VariableKind,
@@ -37,38 +36,33 @@ pub(super) enum AddressFunction {
 }
 
 impl AddressFunction {
-    /// Returns the function of a name.
-    pub(super) fn of(name: &str) -> Option<AddressFunction> {
+    /// Returns the function of a name, and its key in `conformance-cases/features.toml`, which is its name in small letters.
+    pub(super) fn of(name: &str) -> Option<(AddressFunction, &'static str)> {
         use AddressFunction::{Adr, IsValidRef, Ref, SizeOf};
-        let mut all = [Adr, Ref, SizeOf, IsValidRef].into_iter();
-        all.find(|function| name.eq_ignore_ascii_case(function.feature()))
-    }
-
-    /// Returns its key in `conformance-cases/features.toml`, which is its name in small letters.
-    pub(super) const fn feature(self) -> &'static str {
-        match self {
-            AddressFunction::Adr => "adr",
-            AddressFunction::Ref => "ref",
-            AddressFunction::SizeOf => "sizeof",
-            AddressFunction::IsValidRef => "__isvalidref",
-        }
+        let all = [
+            (Adr, "adr"),
+            (Ref, "ref"),
+            (SizeOf, "sizeof"),
+            (IsValidRef, "__isvalidref"),
+        ];
+        all.into_iter()
+            .find(|(_, feature)| name.eq_ignore_ascii_case(feature))
     }
 }
 
 impl<'m> Lowering<'m> {
-    /// Returns whether addresses are numbers, and a pointer of any type leads anywhere.
-    fn is_free(&self) -> bool {
-        self.model.source.dialect.has_pointers("pointer-arithmetic")
+    fn addresses_are_numbers(&self) -> bool {
+        addresses_are_numbers(self.model.source.dialect)
     }
 
     /// Returns whether a name that is not declared is the reference to nothing.
     pub(super) fn is_null(&self, name: &str) -> bool {
-        name.eq_ignore_ascii_case("NULL") && self.model.source.dialect.has_pointers("null")
+        name.eq_ignore_ascii_case("NULL") && !self.model.source.dialect.lacks("null")
     }
 
     /// Returns whether a pointer takes subscripts of its own: `p[i]` is the value `i` sizes behind `p^`.
     pub(super) fn has_elements(&self, pointer: PointerType, subscripts: usize) -> bool {
-        subscripts == 1 && pointer.form == PointerForm::PointerTo && self.is_free()
+        subscripts == 1 && pointer.form == PointerForm::PointerTo && self.addresses_are_numbers()
     }
 
     /// Returns the operand of a call of ADR or REF; `None` for all else.
@@ -86,31 +80,20 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Returns the pointer type of an expression, if it is one of a known target.
-    fn pointer_of(&mut self, id: ExpressionId) -> Option<PointerType> {
-        match self.infer(id) {
-            Inferred::Known(ty) if ty != TypeId::ADDRESS => self.model.types.pointer(ty),
+    /// Returns the type with which the variable of `base^` is declared; `None` where the base is no reference or pointer, or NULL.
+    pub(super) fn target_type(&mut self, base: ExpressionId) -> Option<TypeId> {
+        match self.infer(base) {
+            Inferred::Known(ty) if ty != TypeId::ADDRESS => Some(self.model.types.pointer(ty)?.target),
             _ => None,
         }
     }
 
-    /// Infers the type of `base^`.
-    pub(super) fn infer_dereference(&mut self, base: ExpressionId) -> Inferred {
-        let pointer = self.pointer_of(base);
-        pointer.map_or(Inferred::Error, |pointer| self.inferred_of(pointer.target))
-    }
-
-    /// Returns the type with which the variable of `base^` is declared.
-    pub(super) fn target_type(&mut self, base: ExpressionId) -> Option<TypeId> {
-        Some(self.pointer_of(base)?.target)
-    }
-
     /// The place of `base^`.
     pub(super) fn dereference(&mut self, base: ExpressionId) -> Option<VariablePlace> {
-        let pointer = self.pointer_of(base);
+        let target = self.target_type(base);
         let value = self.value(base, None);
-        if let Some(pointer) = pointer {
-            return behind(pointer.target);
+        if let Some(target) = target {
+            return behind(target);
         }
         if value.ty != TypeId::ERROR {
             let name = self.model.types.name(value.ty);
@@ -130,24 +113,23 @@ impl<'m> Lowering<'m> {
         behind(target)
     }
 
-    /// The place of an element behind a pointer, whose place is given.
+    /// The place of an element behind a pointer to the type `target`, whose place is given.
     ///
     /// Basis: codesys-pages: _cds_datatype_pointer (index access).
     pub(super) fn pointer_element(
         &mut self,
         place: VariablePlace,
-        pointer: PointerType,
+        target: TypeId,
         subscript: ExpressionId,
     ) -> Option<VariablePlace> {
         self.load(place);
         self.integer(subscript, ElementaryType::Lint, ValueContext::Integer)?;
-        let (bytes, _) = self.sizes(pointer.target);
+        let (bytes, _) = self.sizes(target);
         self.emit(Instruction::Push(bytes.into()));
-        let scaled = Instruction::Arithmetic(ArithmeticOperator::Multiply, ElementaryType::Lint);
-        let moved = Instruction::Arithmetic(ArithmeticOperator::Add, ElementaryType::Lint);
-        self.emit(scaled);
-        self.emit(moved);
-        behind(pointer.target)
+        for operator in [ArithmeticOperator::Multiply, ArithmeticOperator::Add] {
+            self.emit(Instruction::Arithmetic(operator, ElementaryType::Lint));
+        }
+        behind(target)
     }
 
     /// The location of a member of what lies at a place.
@@ -173,37 +155,16 @@ impl<'m> Lowering<'m> {
     /// Puts the address in bytes of a variable on the stack, and gives its type; `None` where it has none, which is reported.
     fn push_address_of(&mut self, id: ExpressionId) -> Option<TypeId> {
         let span = self.span(id);
-        if !self.names_a_place(id) {
-            let value = self.value(id, None);
-            if value.ty != TypeId::ERROR || self.infer(id) == Inferred::Nothing {
-                self.report(
-                    Code::RefOperandNotVariable,
-                    span,
-                    "only a variable has an address",
-                );
-            }
-            return None;
-        }
-        let is_part = matches!(
-            self.expression(id).kind,
-            ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
-        );
-        if is_part && !self.model.source.dialect.has_pointers("reference-to-part") {
+        let place = self.whole_place(id, Code::RefOperandNotVariable, "only a variable has an address")?;
+        use ExpressionKind::{Field, Index};
+        let is_part = matches!(self.expression(id).kind, Field { .. } | Index { .. });
+        if is_part && self.model.source.dialect.lacks("reference-to-part") {
             let message = "the dialect has no references to a part of a variable";
             self.report(Code::RefOfArrayElement, span, message);
         }
-        if !self.is_free() && self.is_ephemeral(id) {
+        if !self.addresses_are_numbers() && self.is_ephemeral(id) {
             let message = "the variable does not outlive the call, so nothing may refer to it";
             self.report(Code::RefOfEphemeralVariable, span, message);
-        }
-        let place = self.place(id)?;
-        if place.part.is_some() {
-            self.report(
-                Code::RefOperandNotVariable,
-                span,
-                "a part of the bits of a variable has no address",
-            );
-            return None;
         }
         if place.location != Location::Bytes {
             self.push_address(place.location);
@@ -226,17 +187,9 @@ impl<'m> Lowering<'m> {
         // The variables of its block outlive the call of a method.
         let function = self.entry().filter(|entry| entry.is_function());
         self.variable(name.text).is_some_and(|(index, variable)| {
+            use VariableKind::{Input, Local, Output, Temporary};
             let in_function = function.is_some_and(|entry| entry.variables.contains(&index));
-            match variable.kind {
-                VariableKind::Temporary => true,
-                VariableKind::Local | VariableKind::Input | VariableKind::Output => in_function,
-                VariableKind::InOut
-                | VariableKind::External
-                | VariableKind::Global
-                | VariableKind::Configured
-                | VariableKind::Instance
-                | VariableKind::Static => false,
-            }
+            variable.kind == Temporary || in_function && matches!(variable.kind, Local | Input | Output)
         })
     }
 
@@ -251,13 +204,9 @@ impl<'m> Lowering<'m> {
         };
         let types = &self.model.types;
         let wanted = types.named_type(target);
-        let texts = self.is_text(wanted) && types.value_type(ty) == types.value_type(wanted);
-        if !texts && wanted != TypeId::ERROR && !types.is_same(ty, wanted) {
-            let message = format!(
-                "{} is bound to a variable, not {}",
-                types.name(target),
-                types.name(ty)
-            );
+        if wanted != TypeId::ERROR && !types.is_same_variable(ty, wanted) {
+            let (target, ty) = (types.name(target), types.name(ty));
+            let message = format!("{target} is bound to a variable, not {ty}");
             self.report(Code::ReferenceTypeMismatch, self.span(id), message);
             return LoweredValue::ERROR;
         }
@@ -284,25 +233,27 @@ impl<'m> Lowering<'m> {
     /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference is; gives whether it was.
     pub(super) fn refuses_reference(&mut self, id: ExpressionId, inferred: Inferred, to: TypeId) -> bool {
         let (types, dialect) = (&self.model.types, self.model.source.dialect);
-        let (Inferred::Known(from), false) = (inferred, self.is_free()) else {
+        let Inferred::Known(from) = inferred else {
             return false;
         };
-        let operand = self.address_operand(id);
-        let (code, message) = match (types.pointer(from), types.pointer(to), operand) {
-            (Some(_), Some(pointer), Some(operand)) => {
+        if types.pointer(from).is_none() || addresses_are_numbers(dialect) {
+            return false;
+        }
+        let (code, message) = match (types.pointer(to), self.address_operand(id)) {
+            (Some(pointer), Some(operand)) => {
                 let ty = self.declared_type_of(operand).unwrap_or(TypeId::ERROR);
-                let ty = types.named_type(ty);
-                if types.is_same(ty, pointer.target) || [ty, pointer.target].contains(&TypeId::ERROR) {
+                let (ty, target) = (types.named_type(ty), pointer.target);
+                if types.is_same(ty, target) || [ty, target].contains(&TypeId::ERROR) {
                     return false;
                 }
                 let message = format!("a reference to {} is no {}", types.name(ty), types.name(to));
                 (Code::ReferenceTypeMismatch, message)
             }
-            (Some(_), Some(_), None) if !fits_pointer(from, to, types, dialect) => {
+            (Some(_), None) if !fits_pointer(from, to, types, dialect) => {
                 let message = format!("{} is no {}", types.name(from), types.name(to));
                 (Code::ReferenceTypeMismatch, message)
             }
-            (Some(_), None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR => {
+            (None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR => {
                 let message = "only a reference or pointer can be NULL".to_owned();
                 (Code::NullRequiresReferenceType, message)
             }
@@ -320,8 +271,8 @@ impl<'m> Lowering<'m> {
         (left, right): (Inferred, Inferred),
     ) -> Code {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
-        let is_pointer =
-            |value| matches!(value, Inferred::Known(ty) if self.model.types.pointer(ty).is_some());
+        let types = &self.model.types;
+        let is_pointer = |value| matches!(value, Inferred::Known(ty) if types.pointer(ty).is_some());
         match operator {
             _ if !is_pointer(left) && !is_pointer(right) => Code::OperatorOperandTypeMismatch,
             Equal | NotEqual => Code::ReferenceTypeMismatch,
@@ -379,16 +330,13 @@ impl<'m> Lowering<'m> {
     }
 
     fn is_valid(&mut self, operand: ExpressionId) -> LoweredValue {
-        let place = match self.names_a_place(operand) {
-            true => self.place_itself(operand),
-            false => None,
-        };
-        match place {
+        let is_place = self.names_a_place(operand);
+        match is_place.then(|| self.place_itself(operand)).flatten() {
             Some(place) if self.model.types.named_type(place.ty) != place.ty => {
                 self.load(place);
                 self.emit(Instruction::Push(0));
-                let differs = Instruction::Compare(ComparisonOperator::NotEqual, ElementaryType::Ulint);
-                self.emit(differs);
+                let not_equal = ComparisonOperator::NotEqual;
+                self.emit(Instruction::Compare(not_equal, ElementaryType::Ulint));
             }
             _ => {
                 let message = "`__ISVALIDREF` takes a variable that is declared with REFERENCE TO";
@@ -419,7 +367,8 @@ impl<'m> Lowering<'m> {
     fn size_of(&mut self, operand: ExpressionId) -> Option<i128> {
         let ty = self.sized_type(operand).filter(|&ty| ty != TypeId::ERROR)?;
         let has_size = !self.model.types.extent(ty).has_block;
-        has_size.then(|| self.sizes(ty).0.into())
+        let size = has_size.then(|| self.sizes(ty).0);
+        size.filter(|&size| size < u32::MAX).map(i128::from)
     }
 
     fn refuse_size(&mut self, operand: ExpressionId) -> LoweredValue {
@@ -427,7 +376,7 @@ impl<'m> Lowering<'m> {
             Some(TypeId::ERROR) => return LoweredValue::ERROR,
             Some(_) => (
                 Code::NotImplemented,
-                "sizes of function blocks are not implemented",
+                "sizes of function blocks, and of 4 GiB and more, are not implemented",
             ),
             None if self.value(operand, None).ty == TypeId::ERROR => return LoweredValue::ERROR,
             None => (
@@ -438,60 +387,9 @@ impl<'m> Lowering<'m> {
         self.report(code, self.span(operand), message);
         LoweredValue::ERROR
     }
-
-    /// Makes the map by which the machine finds variables, once all code is there.
-    pub(super) fn address_map(&mut self) -> AddressMap {
-        let mut objects = Vec::new();
-        if self.addresses.are_taken && !self.reporter.has_errors() {
-            let model = self.model;
-            let labels = self.emitter.sorted_labels();
-            for (entry, pou) in model.pous.iter().zip(0..) {
-                let body = self.emitter.label(entry.body);
-                let next = labels.partition_point(|&label| label <= body);
-                let end = labels.get(next).copied().unwrap_or(u32::MAX);
-                let frame = entry.is_function().then_some((body, end));
-                let bases = model.instances.iter().filter(|instance| instance.pou == pou);
-                let bases: Vec<_> = bases.map(|instance| instance.base).collect();
-                for variable in entry.variables.clone().map(|index| model.variable(index)) {
-                    match variable.storage {
-                        _ if variable.kind == VariableKind::External => {}
-                        Storage::Absolute(cell) => self.add_object(&mut objects, cell, variable.ty, frame),
-                        Storage::Instance(offset) => bases
-                            .iter()
-                            .for_each(|base| self.add_object(&mut objects, base + offset, variable.ty, None)),
-                        Storage::AbsolutePointer(_) | Storage::InstancePointer(_) => {}
-                    }
-                }
-            }
-            for variable in &model.variables {
-                if let (VariableKind::Global, Storage::Absolute(cell)) = (variable.kind, variable.storage) {
-                    self.add_object(&mut objects, cell, variable.ty, None);
-                }
-            }
-            objects.sort_by_key(|object| object.cell);
-        }
-        let layouts = std::mem::take(&mut self.addresses.layouts);
-        AddressMap { layouts, objects }
-    }
-
-    fn add_object(
-        &mut self,
-        objects: &mut Vec<MemoryObject>,
-        cell: Address,
-        ty: TypeId,
-        frame: Option<(Label, Label)>,
-    ) {
-        let layout = self.layout(ty);
-        objects.push(MemoryObject { cell, layout, frame });
-    }
 }
 
 /// The place behind an address in bytes that is on the stack; `None` where its type is not known.
 fn behind(ty: TypeId) -> Option<VariablePlace> {
-    (ty != TypeId::ERROR).then_some(VariablePlace {
-        location: Location::Bytes,
-        ty,
-        part: None,
-        constant: false,
-    })
+    (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Bytes, ty))
 }

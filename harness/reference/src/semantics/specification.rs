@@ -32,12 +32,11 @@ impl<'u> Declarer<'u, '_> {
                 self.subrange(*base, *limits, specification.span)
             }
             TypeSpecificationKind::Array { dimensions, element } => {
-                let element_span = element.span;
-                let element = self.specification(element, hint);
-                if self.model.types.named_type(element) != element {
-                    self.check_nested(element, element_span);
+                let ty = self.specification(element, hint);
+                if self.model.types.named_type(ty) != ty {
+                    self.check_nested(ty, element.span);
                 }
-                self.array(dimensions, element, specification.span)
+                self.array(dimensions, ty, specification.span)
             }
             TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
@@ -135,12 +134,8 @@ impl<'u> Declarer<'u, '_> {
         };
         let fits = |limit| (range.0..=range.1).contains(&limit);
         if !fits(low) || !fits(high) {
-            let message = format!(
-                "{low}..{high} does not lie in {} ({}..{})",
-                ty.name(),
-                range.0,
-                range.1
-            );
+            let (name, (least, most)) = (ty.name(), range);
+            let message = format!("{low}..{high} does not lie in {name} ({least}..{most})");
             self.report(Code::SubrangeOutOfBounds, span, message);
             return TypeId::ERROR;
         }
@@ -155,12 +150,8 @@ impl<'u> Declarer<'u, '_> {
     fn array(&mut self, limits: &[(ExpressionId, ExpressionId)], element: TypeId, span: Span) -> TypeId {
         let mut bounds = Vec::with_capacity(limits.len());
         for &(low, high) in limits {
-            let at = self
-                .model
-                .source
-                .expression(low)
-                .span
-                .to(self.model.source.expression(high).span);
+            let source = self.model.source;
+            let at = source.expression(low).span.to(source.expression(high).span);
             let (Some(low), Some(high)) = (self.constant(low), self.constant(high)) else {
                 continue;
             };
@@ -215,9 +206,10 @@ impl<'u> Declarer<'u, '_> {
             default,
         };
         let length = u32::try_from(length).unwrap_or(u32::MAX);
+        let dimensions = dimensions.into();
         let shape = ArrayShape {
             element,
-            dimensions: dimensions.into(),
+            dimensions,
             length,
         };
         let id = self.model.types.add_array(shape, extent);
@@ -314,10 +306,8 @@ impl<'u> Declarer<'u, '_> {
             base,
             members,
         };
-        let id = self
-            .model
-            .types
-            .add(TypeKind::Structure(Box::new(structure)), extent);
+        let kind = TypeKind::Structure(Box::new(structure));
+        let id = self.model.types.add(kind, extent);
         if let DefaultValue::Routine(routine) = extent.default {
             self.define_routine(routine, DefaultInitialValue::Structure(id, groups));
         }

@@ -350,20 +350,29 @@ impl TypeTable {
         }
     }
 
-    /// Returns whether two types are the same, aliases and the depth of pointers to them looked through.
-    pub(super) fn is_same(&self, one: TypeId, other: TypeId) -> bool {
-        let (mut one, mut other) = (self.root(one), self.root(other));
+    /// Returns whether two types are the same: one and its alias, and references, pointers and arrays of the same.
+    pub(super) fn is_same(&self, mut one: TypeId, mut other: TypeId) -> bool {
         // A type may be a pointer to itself.
         for _ in 0..50 {
-            match (self.pointer(one), self.pointer(other)) {
-                _ if one == other => return true,
-                (Some(first), Some(second)) if first.form == second.form => {
-                    (one, other) = (self.root(first.target), self.root(second.target));
+            (one, other) = match (self.kind(one), self.kind(other)) {
+                _ if self.root(one) == self.root(other) => return true,
+                (TypeKind::Pointer(one), TypeKind::Pointer(other)) if one.form == other.form => {
+                    (one.target, other.target)
+                }
+                (TypeKind::Array(one), TypeKind::Array(other)) if one.dimensions == other.dimensions => {
+                    (one.element, other.element)
                 }
                 _ => return false,
-            }
+            };
         }
         true
+    }
+
+    /// Returns whether a variable of one type may be meant by the address of one of another. Each text variable keeps to its own
+    /// length, so that only the kind of text matters.
+    pub(super) fn is_same_variable(&self, one: TypeId, other: TypeId) -> bool {
+        let is_text = matches!(self.kind(one), TypeKind::Text { .. });
+        is_text && self.value_type(one) == self.value_type(other) || self.is_same(one, other)
     }
 
     /// Adds another name for a type, which may have a default value of its own.
@@ -494,9 +503,8 @@ impl TypeTable {
                 format!("{} {}", pointer.form.words(), self.name(pointer.target))
             }
             TypeKind::Array(shape) => {
-                let limits: Vec<_> = shape
-                    .dimensions
-                    .iter()
+                let limits = shape.dimensions.iter();
+                let limits: Vec<_> = limits
                     .map(|limit| format!("{}..{}", limit.low, limit.high))
                     .collect();
                 format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))

@@ -114,12 +114,8 @@ impl<'u> Declarer<'u, '_> {
 
     /// Returns whether a group has an initial value, if perhaps one that could not be read.
     pub(super) fn says_initial_value(&self, group: &VariableGroup<'u>) -> bool {
-        let behind = self
-            .model
-            .source
-            .text
-            .get(group.specification.span.end as usize..)
-            .unwrap_or("");
+        let end = group.specification.span.end as usize;
+        let behind = self.model.source.text.get(end..).unwrap_or("");
         group.initializer.is_some()
             || matches!(group.specification.kind, TypeSpecificationKind::Error)
             || behind.trim_start().starts_with(":=")
@@ -200,11 +196,7 @@ impl<'u> Declarer<'u, '_> {
         self.model.variables.push(DeclaredVariable {
             name,
             ty,
-            kind: if is_setter {
-                VariableKind::Input
-            } else {
-                VariableKind::Output
-            },
+            kind: [VariableKind::Output, VariableKind::Input][usize::from(is_setter)],
             constant: false,
             is_public: false,
             storage: Storage::Absolute(0),
@@ -259,20 +251,17 @@ impl<'u> Declarer<'u, '_> {
                     zero &= variable.initializer.is_none() && inner.default == DefaultValue::Zero;
                 }
             }
-            let (ty, kind, constant) = (variable.ty, variable.kind, variable.constant);
-            let is_public = variable.is_public;
-            let name = variable.name;
             let member = TypeMember {
-                ty,
+                ty: variable.ty,
                 offset,
-                kind,
-                constant,
-                is_public,
+                kind: variable.kind,
+                constant: variable.constant,
+                is_public: variable.is_public,
             };
             // Several methods may have a VAR_INST of one name; no variable has a number for its name.
-            match kind {
+            match variable.kind {
                 VariableKind::Instance => members.push(&index.to_string(), member),
-                _ => members.push(name.text, member),
+                _ => members.push(variable.name.text, member),
             };
         }
         if self.too_deep(extent.depth, span) || self.too_large(size, span) {
@@ -289,10 +278,9 @@ impl<'u> Declarer<'u, '_> {
             base,
             members,
         });
-        let kind = if program {
-            TypeKind::Structure(structure)
-        } else {
-            TypeKind::FunctionBlock(structure)
+        let kind = match program {
+            true => TypeKind::Structure(structure),
+            false => TypeKind::FunctionBlock(structure),
         };
         let ty = self.model.types.add(kind, extent);
         self.model.pous[pou].ty = ty;

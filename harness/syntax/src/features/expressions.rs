@@ -18,79 +18,66 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         around: Option<&Expression<'s>>,
         at: &Context<'t, 's>,
     ) {
+        use ExpressionKind::{
+            Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
+            Parenthesized, Part, Unary,
+        };
         let span = expression.span;
-        match &expression.kind {
-            ExpressionKind::Literal(literal) => self.literal(literal, expression),
-            ExpressionKind::Name(name) => {
-                let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
-                self.note_if(is_value, "enumerated-value", span);
-                let is_null = name.text.eq_ignore_ascii_case("NULL") && self.declared(name.text).is_none();
-                self.note_if(is_null, "null", span);
-                self.own_instance(name.text, span);
+        let key = match expression.kind {
+            Literal(ref literal) => return self.literal(literal, expression),
+            Call {
+                callee,
+                ref arguments,
+            } => return self.call(callee, arguments, expression, at),
+            Name(name) => match self.declared(name.text) {
+                Some(DeclaredKind::EnumeratedValue) => "enumerated-value",
+                None if name.text.eq_ignore_ascii_case("NULL") => "null",
+                _ => {
+                    self.own_instance(name.text, span);
+                    return;
+                }
+            },
+            EnumeratedValue(_) => "enumerated-value-typed",
+            Field { field, .. } if self.is_property(field.text) => return,
+            Field { base, .. } => {
+                let name = self.name_of(base, at);
+                let is_output = || name.is_some_and(|name| self.block_of(name).is_some());
+                match name.and_then(|name| self.qualifier(name)) {
+                    Some(key) => key,
+                    None if is_output() => "function-block-output",
+                    None => "field",
+                }
             }
-            ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
-            ExpressionKind::Field { field, .. } if self.is_property(field.text) => {}
-            ExpressionKind::Field { base, .. }
-                if let Some(key) = self.name_of(*base, at).and_then(|name| self.qualifier(name)) =>
-            {
-                self.note(key, span);
-            }
-            ExpressionKind::Field { base, .. } => {
-                let is_output = self
-                    .name_of(*base, at)
-                    .is_some_and(|name| self.block_of(name).is_some());
-                self.note(
-                    if is_output {
-                        "function-block-output"
-                    } else {
-                        "field"
-                    },
-                    span,
-                );
-            }
-            ExpressionKind::Index { .. } => self.note("array-element", span),
-            ExpressionKind::Dereference { .. } => self.note("dereference", span),
-            ExpressionKind::Bit { .. } if !span.text(self.text).contains('%') => {
-                self.note("bit-access", span)
-            }
-            ExpressionKind::Bit { .. } | ExpressionKind::Part { .. } => {}
-            ExpressionKind::Call { callee, arguments } => self.call(*callee, arguments, expression, at),
-            ExpressionKind::Unary { operator, .. } => self.note(
-                match operator {
-                    UnaryOperator::Negate => match self.negates_literal(expression, at) {
-                        true => return,
-                        false => "negation",
-                    },
-                    UnaryOperator::Plus => "unary-plus",
-                    UnaryOperator::Not => "not",
-                },
-                span,
-            ),
-            ExpressionKind::Binary {
+            Index { .. } => "array-element",
+            Dereference { .. } => "dereference",
+            Bit { .. } if !span.text(self.text).contains('%') => "bit-access",
+            Unary { operator, .. } => match operator {
+                UnaryOperator::Negate if self.negates_literal(expression, at) => return,
+                UnaryOperator::Negate => "negation",
+                UnaryOperator::Plus => "unary-plus",
+                UnaryOperator::Not => "not",
+            },
+            Binary {
                 operator,
                 left,
                 right,
             } => {
-                let adds = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
-                let is_pointer =
-                    |id: &ExpressionId| self.name_of(*id, at).is_some_and(|name| self.is_pointer(name));
-                let is_address = adds && (is_pointer(left) || is_pointer(right));
-                self.note(
-                    if is_address {
-                        "pointer-arithmetic"
-                    } else {
-                        operator_key(*operator)
-                    },
-                    span,
-                );
+                use BinaryOperator::{Add, Subtract};
+                let is_pointer = |id| self.name_of(id, at).is_some_and(|name| self.is_pointer(name));
+                let is_address =
+                    matches!(operator, Add | Subtract) && (is_pointer(left) || is_pointer(right));
+                if is_address {
+                    "pointer-arithmetic"
+                } else {
+                    operator_key(operator)
+                }
             }
-            ExpressionKind::Parenthesized(_) => {
-                let is_nested =
-                    around.is_some_and(|around| matches!(around.kind, ExpressionKind::Call { .. }));
-                self.note_if(!is_nested, "parentheses", span);
+            Parenthesized(_) if !around.is_some_and(|around| matches!(around.kind, Call { .. })) => {
+                "parentheses"
             }
-            ExpressionKind::Error => {}
-        }
+            Parenthesized(_) | Bit { .. } | Part { .. } | Error => return,
+        };
+        self.note(key, span);
     }
 
     /// Returns the feature of a name behind that of an enumeration, or behind one that the program does not declare; `None` behind others.
@@ -121,11 +108,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
 
     /// Returns whether a name is only that of a property.
     fn is_property(&self, name: &str) -> bool {
-        let declared = self.declared(name);
-        matches!(
-            declared,
-            Some(DeclaredKind::Pou(PouKind::Getter | PouKind::Setter))
-        )
+        use PouKind::{Getter, Setter};
+        matches!(self.declared(name), Some(DeclaredKind::Pou(Getter | Setter)))
     }
 
     /// Notes a name that stands for the instance whose code is running; says whether it is one.
@@ -272,11 +256,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
             self.note_if(is_number, "typed-literal", span);
             self.note_if(is_number && is_signed, "typed-literal-sign", span);
-            self.note_if(
-                literal.kind == LiteralKind::Duration && is_signed,
-                "duration-sign",
-                span,
-            );
+            let is_duration = literal.kind == LiteralKind::Duration;
+            self.note_if(is_duration && is_signed, "duration-sign", span);
         }
     }
 

@@ -11,23 +11,31 @@ use crate::token::TokenKind;
 use crate::tree::{Access, Modifiers, Name, Pou, PouKind, TypeSpecification, TypeSpecificationKind};
 use stickler_types::Code;
 
-/// The features of features.toml that the third edition of the standard does not have.
-const BEYOND_THE_STANDARD: [&str; 4] = ["property", "var-inst", "structure-extends", "pointer-to-this"];
-
 impl<'s> Parser<'s, '_> {
-    /// Reports that the dialect lacks a feature, where it does; says nothing of what stands inside something refused.
-    pub(super) fn requires(&mut self, feature: &str, span: Span, what: &str) {
-        if self.refused || !self.dialect.lacks(feature) {
-            return;
-        }
-        self.refused = true;
-        let (code, whose) = match BEYOND_THE_STANDARD.contains(&feature) {
-            false => (Code::Std2013Feature, "of the third edition, which"),
-            true => (Code::UnexpectedToken, "which"),
+    /// Returns whether the dialect has a feature; reports its word where it has not.
+    pub(super) fn has(&mut self, feature: &str, span: Span, word: &str) -> bool {
+        let has = !self.dialect.lacks(feature);
+        let extension = "is an extension of the standard;";
+        let (code, what) = match feature {
+            "property" | "var-inst" | "structure-extends" | "pointer-to-this" => {
+                (Code::UnexpectedToken, extension)
+            }
+            "pointer" | "reference-to" | "reference-binding" | "short-circuit" | "var-stat" => {
+                (Code::SyntaxError, extension)
+            }
+            _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
-        self.report(code, span, || {
-            format!("{what}: a feature {whose} the dialect does not have")
-        });
+        if !has {
+            self.report(code, span, || {
+                format!("`{word}` {what} the dialect does not have it")
+            });
+        }
+        has
+    }
+
+    /// Reports that the dialect lacks a feature, where it does; says nothing of what stands inside something refused.
+    pub(super) fn requires(&mut self, feature: &str, span: Span, word: &str) {
+        self.refused = self.refused || !self.has(feature, span, word);
     }
 
     /// CLASS or INTERFACE begins a declaration here.

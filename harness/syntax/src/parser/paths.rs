@@ -123,10 +123,8 @@ impl<'s> Parser<'s, '_> {
             (TokenKind::Name, TokenKind::Assign) if !negated => {
                 let name = self.name("an input")?;
                 self.bump();
-                Ok(Argument::Named {
-                    name,
-                    value: self.expression()?,
-                })
+                let value = self.expression()?;
+                Ok(Argument::Named { name, value })
             }
             _ => Ok(Argument::Positional(self.expression()?)),
         }
@@ -137,7 +135,7 @@ impl<'s> Parser<'s, '_> {
         let caret = self.bump().span;
         self.grow(0)?;
         let span = self.span_of(base).to(caret);
-        let kind = match self.has_pointers("dereference", "^", caret) {
+        let kind = match self.has("dereference", caret, "^") {
             true => ExpressionKind::Dereference { base },
             false => ExpressionKind::Error,
         };

@@ -141,7 +141,7 @@ impl<'s> Parser<'s, '_> {
     fn binding(&mut self, target: ExpressionId) -> ParseResult<StatementKind> {
         let start = self.bump().span;
         let span = start.to(self.bump().span);
-        let has = self.has_pointers("reference-binding", "REF=", span);
+        let has = self.has("reference-binding", span, "REF=");
         let value = self.expression()?;
         match has {
             true => Ok(StatementKind::Binding { target, value }),

@@ -4,7 +4,7 @@ use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind};
-use stickler_types::{Code, Dialect};
+use stickler_types::Code;
 
 impl<'s> Parser<'s, '_> {
     /// A type.
@@ -62,11 +62,8 @@ impl<'s> Parser<'s, '_> {
 
     /// Behind the parenthesis stands a name, and behind that something else than a limit could have.
     fn at_enumeration(&self) -> bool {
-        self.nth(1) == TokenKind::Name
-            && matches!(
-                self.nth(2),
-                TokenKind::Comma | TokenKind::RightParen | TokenKind::Assign
-            )
+        use TokenKind::{Assign, Comma, Name, RightParen};
+        self.nth(1) == Name && matches!(self.nth(2), Comma | RightParen | Assign)
     }
 
     /// `INT(low..high)`.
@@ -93,11 +90,8 @@ impl<'s> Parser<'s, '_> {
         let mut values = Vec::new();
         loop {
             let name = self.declared_name("the name of an enumerated value")?;
-            let value = if self.eat(TokenKind::Assign) {
-                Some(self.expression()?)
-            } else {
-                None
-            };
+            let has_value = self.eat(TokenKind::Assign);
+            let value = has_value.then(|| self.expression()).transpose()?;
             values.push((name, value));
             if !self.eat(TokenKind::Comma) {
                 break;
@@ -138,14 +132,12 @@ impl<'s> Parser<'s, '_> {
 
     /// Returns the form of the reference or pointer type that begins here; `None` where the word is a name like others.
     fn pointer_form(&mut self) -> Option<PointerForm> {
-        let (to, forms): (usize, &[PointerForm]) = match self.nth(1) {
-            TokenKind::To => (1, &[PointerForm::PointerTo, PointerForm::ReferenceTo]),
-            _ => (0, &[PointerForm::RefTo]),
+        use TokenKind::{Array, LeftParen, Name, Struct, To};
+        let (behind, forms): (usize, &[PointerForm]) = match self.nth(1) {
+            To => (2, &[PointerForm::PointerTo, PointerForm::ReferenceTo]),
+            _ => (1, &[PointerForm::RefTo]),
         };
-        let begins_type = matches!(
-            self.nth(1 + to),
-            TokenKind::Name | TokenKind::Array | TokenKind::LeftParen | TokenKind::Struct
-        );
+        let begins_type = matches!(self.nth(behind), Name | Array | LeftParen | Struct);
         let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
         let mut forms = forms.iter().copied();
         forms.find(|form| begins_type && self.at_word(word(form)))
@@ -156,28 +148,12 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.eat(TokenKind::To);
         let span = start.to(self.previous_span());
-        let has = self.has_pointers(form.feature(), form.words(), span);
+        let has = self.has(form.feature(), span, form.words());
         let target = Box::new(self.type_specification()?);
-        Ok(if has {
-            Kind::Pointer { form, target }
-        } else {
-            Kind::Error
+        Ok(match has {
+            true => Kind::Pointer { form, target },
+            false => Kind::Error,
         })
-    }
-
-    /// Returns whether the dialect has a feature of references and pointers; reports the words at `span` where it has not.
-    pub(super) fn has_pointers(&mut self, feature: &str, words: &str, span: Span) -> bool {
-        let has = self.dialect.has_pointers(feature);
-        if !has && Dialect::is_third_edition_pointer(feature) {
-            self.report(Code::Std2013Feature, span, || {
-                format!("`{words}` is of the third edition of the standard; the dialect does not have it")
-            });
-        } else if !has {
-            self.report(Code::SyntaxError, span, || {
-                format!("`{words}` is an extension of the standard that the dialect does not have")
-            });
-        }
-        has
     }
 
     /// `STRUCT … END_STRUCT`.
