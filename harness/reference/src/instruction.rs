@@ -106,6 +106,12 @@ pub enum Instruction {
         unsigned: bool,
     },
 
+    /// Pops an address, a subscript, the lowest and the highest subscript, and the stride; does what `Subscript` does with these.
+    SubscriptWithin {
+        /// Whether the subscript's raw form is unsigned.
+        unsigned: bool,
+    },
+
     /// Pushes the content of an absolute cell.
     Load(Address),
     /// Pops an address, pushes the cell's content.

@@ -218,6 +218,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
             | TypeSpecificationKind::Error => {}

@@ -281,7 +281,8 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 dimensions.iter().for_each(|limits| self.limits(*limits));
                 self.specification(element);
             }
-            TypeSpecificationKind::Pointer { target, .. } => self.specification(target),
+            TypeSpecificationKind::Pointer { target: inner, .. }
+            | TypeSpecificationKind::VariableLengthArray { element: inner, .. } => self.specification(inner),
             TypeSpecificationKind::Enumeration { values, .. } => {
                 let numbers = values.iter().filter_map(|(_, number)| *number);
                 numbers.for_each(|number| self.expression(number, Place::EnumerationNumber));

@@ -86,7 +86,11 @@ impl Declarer<'_, '_> {
         let variable = &mut variables[index as usize];
         let (pointer, span) = (variable.kind == VariableKind::InOut, variable.name.span);
         let address = if pointer {
-            memory.cell()
+            let address = memory.cell();
+            for _ in 0..variable.limits {
+                memory.cell().ok_or(span)?;
+            }
+            address
         } else {
             memory.allocate(types, variable.ty)
         };

@@ -168,6 +168,7 @@ impl Needs<'_, '_> {
             }
             // What leads to a value does not contain it.
             TypeSpecificationKind::Pointer { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Text { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Error => {}

@@ -138,7 +138,7 @@ impl<'u> Declarer<'u, '_> {
             );
             if is_parameter {
                 let ty = self.model.types.root(variable.ty);
-                signature.push((CaseFolded(variable.name.text), variable.kind, ty));
+                signature.push((CaseFolded(variable.name.text), variable.section, ty));
                 if ty == TypeId::ERROR {
                     return None;
                 }

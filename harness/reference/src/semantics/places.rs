@@ -22,6 +22,11 @@ impl<'m> Lowering<'m> {
             return self.read_property(id, property);
         }
         match self.place(id) {
+            Some(place) if self.model.types.is_variable_length(place.ty) => {
+                let message = "an `ARRAY[*]` has no value as a whole; only its elements have";
+                self.report(Code::OperatorOperandTypeMismatch, self.span(id), message);
+                LoweredValue::ERROR
+            }
             Some(place) => {
                 let before = self.emitter.line();
                 if place.location == Location::Bytes {
@@ -149,11 +154,16 @@ impl<'m> Lowering<'m> {
     ) -> Option<VariablePlace> {
         let mut location = place.location;
         let sizes = (place.location == Location::Bytes).then(|| self.sizes(shape.element));
-        for (&subscript, mut dimension) in subscripts.iter().zip(shape.dimensions.iter().copied()) {
+        for ((&subscript, mut dimension), index) in
+            subscripts.iter().zip(shape.dimensions.iter().copied()).zip(0..)
+        {
             if let Some((bytes, cells)) = sizes {
                 dimension.stride = (dimension.stride / cells).saturating_mul(bytes);
             }
-            location = self.subscript(location, subscript, dimension);
+            location = match shape.is_variable_length() {
+                true => self.variable_subscript(location, subscript, (place, index)),
+                false => self.subscript(location, subscript, dimension),
+            };
         }
         for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
             self.value(subscript, None);

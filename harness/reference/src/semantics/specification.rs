@@ -38,6 +38,13 @@ impl<'u> Declarer<'u, '_> {
                 }
                 self.array(dimensions, ty, specification.span)
             }
+            TypeSpecificationKind::VariableLengthArray { element, .. } => {
+                self.specification(element, hint);
+                let message = "`ARRAY[*]` stands in VAR_IN_OUT of functions, methods and function blocks, by the standard \
+                               also in VAR_INPUT and VAR_OUTPUT of the first two; here an array has limits";
+                self.report(Code::ArrayDimensionInvalid, specification.span, message);
+                TypeId::ERROR
+            }
             TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
             TypeSpecificationKind::Structure(groups) => {
@@ -170,6 +177,36 @@ impl<'u> Declarer<'u, '_> {
             return TypeId::ERROR;
         }
         self.array_of(element, &bounds, span)
+    }
+
+    /// The type of a parameter, which may be an ARRAY[*].
+    pub(super) fn parameter_type(
+        &mut self,
+        specification: &'u TypeSpecification<'u>,
+        hint: &'u str,
+    ) -> TypeId {
+        let TypeSpecificationKind::VariableLengthArray { dimensions, element } = &specification.kind else {
+            return self.specification(specification, hint);
+        };
+        let element = self.specification(element, hint);
+        let extent = Extent {
+            depth: self.model.types.extent(element).depth + 1,
+            ..Extent::PLAIN
+        };
+        if element == TypeId::ERROR || self.too_deep(extent.depth, specification.span) {
+            return TypeId::ERROR;
+        }
+        let dimensions: Box<[_]> = vec![Dimension::VARIABLE; *dimensions as usize].into();
+        let known = self.model.types.known_array(element, &dimensions);
+        known.unwrap_or_else(|| {
+            let length = 0;
+            let shape = ArrayShape {
+                element,
+                dimensions,
+                length,
+            };
+            self.model.types.add_array(shape, extent)
+        })
     }
 
     fn array_of(&mut self, element: TypeId, bounds: &[(i64, i64)], span: Span) -> TypeId {

@@ -92,9 +92,9 @@ pub(super) struct Enumeration {
 pub(super) struct ArrayShape {
     /// The elements' type.
     pub(super) element: TypeId,
-    /// The dimensions, the first varying slowest.
+    /// The dimensions, the first varying slowest; of an ARRAY[*] each is [`Dimension::VARIABLE`].
     pub(super) dimensions: Box<[Dimension]>,
-    /// The number of elements.
+    /// The number of elements; 0 of an ARRAY[*].
     pub(super) length: u32,
 }
 
@@ -109,7 +109,30 @@ pub(super) struct Dimension {
     pub(super) stride: u32,
 }
 
+impl ArrayShape {
+    /// Returns whether only a call says what the limits are: those of its argument.
+    pub(super) fn is_variable_length(&self) -> bool {
+        self.length == 0
+    }
+
+    /// Returns whether all limits are numbers of the type that LOWER_BOUND and UPPER_BOUND have.
+    pub(super) fn has_plain_limits(&self) -> bool {
+        let mut limits = self
+            .dimensions
+            .iter()
+            .flat_map(|dimension| [dimension.low, dimension.high]);
+        limits.all(|limit| i32::try_from(limit).is_ok())
+    }
+}
+
 impl Dimension {
+    /// A dimension of an ARRAY[*].
+    pub(super) const VARIABLE: Dimension = Dimension {
+        low: 1,
+        high: 0,
+        stride: 0,
+    };
+
     /// Returns the number of subscripts. Arrays are bounded, so 32 bits suffice.
     pub(super) fn length(self) -> u32 {
         u32::try_from(self.high.wrapping_sub(self.low).wrapping_add(1)).unwrap_or(0)
@@ -375,6 +398,26 @@ impl TypeTable {
         is_text && self.value_type(one) == self.value_type(other) || self.is_same(one, other)
     }
 
+    /// Returns whether a type is that of an ARRAY[*].
+    pub(super) fn is_variable_length(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Array(shape) if shape.is_variable_length())
+    }
+
+    /// Returns whether an array may be passed where an ARRAY[*] is expected.
+    ///
+    /// Basis: iec-61131-3: 6.5.3 of the third edition.
+    pub(super) fn fits_variable_length(&self, argument: TypeId, parameter: TypeId) -> bool {
+        match (self.kind(argument), self.kind(parameter)) {
+            (TypeKind::Array(one), TypeKind::Array(other)) => {
+                other.is_variable_length()
+                    && one.has_plain_limits()
+                    && one.dimensions.len() == other.dimensions.len()
+                    && self.is_same(one.element, other.element)
+            }
+            _ => false,
+        }
+    }
+
     /// Adds another name for a type, which may have a default value of its own.
     pub(super) fn add_alias(&mut self, base: TypeId, name: &str, default: DefaultValue) -> TypeId {
         let extent = Extent {
@@ -505,7 +548,10 @@ impl TypeTable {
             TypeKind::Array(shape) => {
                 let limits = shape.dimensions.iter();
                 let limits: Vec<_> = limits
-                    .map(|limit| format!("{}..{}", limit.low, limit.high))
+                    .map(|limit| match shape.is_variable_length() {
+                        true => "*".to_owned(),
+                        false => format!("{}..{}", limit.low, limit.high),
+                    })
                     .collect();
                 format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))
             }

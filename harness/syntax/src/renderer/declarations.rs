@@ -206,6 +206,14 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" OF ");
                 self.specification(element);
             }
+            TypeSpecificationKind::VariableLengthArray { dimensions, element } => {
+                self.put("ARRAY");
+                self.between_brackets(|writer| {
+                    writer.list(0..*dimensions, |writer, _| writer.put("*"));
+                });
+                self.put(" OF ");
+                self.specification(element);
+            }
             TypeSpecificationKind::Pointer { form, target } => {
                 self.put(form.words());
                 self.put(" ");

@@ -177,7 +177,8 @@ impl<'u, 's> Names<'u, 's> {
             TypeSpecificationKind::Structure(fields) => {
                 self.declare_members(specification.span.start, fields)
             }
-            TypeSpecificationKind::Array { element, .. } => self.declare_parts(element),
+            TypeSpecificationKind::Array { element, .. }
+            | TypeSpecificationKind::VariableLengthArray { element, .. } => self.declare_parts(element),
             TypeSpecificationKind::Pointer { target, .. } => self.declare_parts(target),
             _ => {}
         }
@@ -215,7 +216,9 @@ impl<'u, 's> Names<'u, 's> {
     pub(super) fn element(&self, of: NameShape<'u, 's>) -> NameShape<'u, 's> {
         match self.resolve(of) {
             NameShape::Typed(TypeSpecification {
-                kind: TypeSpecificationKind::Array { element, .. },
+                kind:
+                    TypeSpecificationKind::Array { element, .. }
+                    | TypeSpecificationKind::VariableLengthArray { element, .. },
                 ..
             }) => NameShape::Typed(element),
             _ => NameShape::Unknown,

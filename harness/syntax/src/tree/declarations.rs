@@ -231,6 +231,13 @@ pub enum TypeSpecificationKind<'s> {
         /// The elements' type.
         element: Box<TypeSpecification<'s>>,
     },
+    /// `ARRAY[*, …] OF element`: a parameter that takes arrays of any limits.
+    VariableLengthArray {
+        /// The number of dimensions.
+        dimensions: u32,
+        /// The elements' type.
+        element: Box<TypeSpecification<'s>>,
+    },
     /// `REF_TO target`, `POINTER TO target` or `REFERENCE TO target`.
     Pointer {
         /// The words in front of the type.
