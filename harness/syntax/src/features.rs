@@ -267,14 +267,14 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
         use TypeSpecificationKind::{
-            Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text, VariableLengthArray,
+            Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text, Union, VariableLengthArray,
         };
         let span = declaration.name.span;
         self.note_if(declaration.extends.is_some(), "structure-extends", span);
         match &declaration.specification.kind {
             Named(_) | Text { .. } => self.note("type-alias", span),
             Array { .. } => self.note("array-type", span),
-            Structure(_) => self.end_of_block(declaration.specification.span),
+            Structure(_) | Union(_) => self.end_of_block(declaration.specification.span),
             Subrange { .. } | Enumeration { .. } | VariableLengthArray { .. } | Pointer { .. } | Error => {}
         }
         if let Some(initializer) = &declaration.initializer {
@@ -376,6 +376,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 self.note_if(has_number, "enumeration-number", span);
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Union(_) => self.note("union", span),
             TypeSpecificationKind::Pointer { form, target } => {
                 self.note(form.feature(), span);
                 let is_nested = matches!(&target.kind, TypeSpecificationKind::Pointer { form, .. } if *form != PointerForm::PointerTo);

@@ -221,6 +221,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }

@@ -287,7 +287,9 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 let numbers = values.iter().filter_map(|(_, number)| *number);
                 numbers.for_each(|number| self.expression(number, Place::EnumerationNumber));
             }
-            TypeSpecificationKind::Structure(fields) => fields.iter().for_each(|field| self.variables(field)),
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                fields.iter().for_each(|field| self.variables(field));
+            }
         }
         self.at.outer = outer;
     }

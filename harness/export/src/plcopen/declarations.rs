@@ -75,6 +75,10 @@ impl PageSource<'_> {
                     self.write_type(xml, "baseType", element)
                 })
             }
+            TypeSpecificationKind::Union(_) => {
+                let message = "the format has no UNION; leave the cases with one out";
+                Err(io::Error::other(message))
+            }
             // The parser has reported an error of which nothing is written.
             TypeSpecificationKind::Error => Ok(()),
             TypeSpecificationKind::Text { name, length } => {

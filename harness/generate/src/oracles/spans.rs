@@ -118,6 +118,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for SpanChecker<'_> {
             | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }

@@ -205,6 +205,8 @@ impl<'p> Machine<'p> {
                 Instruction::Locate(layout) => self.locate(layout)?,
                 Instruction::Peek(layout) => self.peek(layout)?,
                 Instruction::Poke(layout) => self.poke(layout)?,
+                Instruction::Gather(layout) => self.transfer(layout, true)?,
+                Instruction::Scatter(layout) => self.transfer(layout, false)?,
 
                 Instruction::Part(part) => {
                     let value = self.pop()?;

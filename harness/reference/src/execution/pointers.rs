@@ -31,7 +31,11 @@ impl<'p> Machine<'p> {
             return Err(FaultKind::NullDereference.into());
         }
         match self.program.addresses.find(address, wanted) {
-            Some((object, ..)) if object.frame.is_some_and(|body| !self.is_running(body)) => {
+            Some((object, ..))
+                if object
+                    .frame
+                    .is_some_and(|frame| !frame.iter().any(|&routine| self.is_running(routine))) =>
+            {
                 Err(FaultKind::InvalidAddress.into())
             }
             Some((_, layout, cell, within)) => Ok((self.layout(layout)?, cell, within)),
@@ -92,6 +96,87 @@ impl<'p> Machine<'p> {
             }
         }
         Ok(())
+    }
+
+    /// Pops an address in bytes and that of a cell, and copies a value to the cells, or from them.
+    pub(super) fn transfer(&mut self, id: LayoutId, to_cells: bool) -> Result<(), Halt> {
+        let cell = self.pop_address()?;
+        let address = self.pop()?;
+        self.transfer_value(id, (address, cell), to_cells)
+    }
+
+    fn transfer_value(
+        &mut self,
+        id: LayoutId,
+        (address, cell): (u64, Address),
+        to_cells: bool,
+    ) -> Result<(), Halt> {
+        self.spend(1)?;
+        let layout = self.layout(id)?;
+        match &layout.kind {
+            LayoutKind::Plain(_) if to_cells => {
+                self.operands.push(address);
+                self.peek(id)?;
+                let value = self.pop()?;
+                self.memory.store(cell, value)
+            }
+            LayoutKind::Plain(_) => {
+                self.operands.extend([address, self.memory.load(cell)?]);
+                self.poke(id)
+            }
+            LayoutKind::Text(ty, capacity) => {
+                let size = 1 + u64::from(*ty == ElementaryType::Wstring);
+                let bytes =
+                    |position: usize| (0..size).map(move |byte| (position as u64 * size + byte, 8 * byte));
+                if !to_cells {
+                    let text = self.memory.text(cell)?.to_vec();
+                    for (position, unit) in text.into_iter().chain([0]).enumerate() {
+                        for (offset, shift) in bytes(position) {
+                            self.byte(address.wrapping_add(offset), id, Some((unit >> shift) as u8))?;
+                        }
+                    }
+                    return Ok(());
+                }
+                let mut text = Vec::new();
+                while text.len() < *capacity as usize {
+                    let mut unit = 0;
+                    for (offset, shift) in bytes(text.len()) {
+                        unit |= u16::from(self.byte(address.wrapping_add(offset), id, None)?) << shift;
+                    }
+                    if unit == 0 {
+                        break;
+                    }
+                    text.push(unit);
+                }
+                self.memory.store_text(cell, &text)
+            }
+            LayoutKind::Array(element) => {
+                let one = self.layout(*element)?;
+                for index in 0..layout.cells / one.cells {
+                    let address = address.wrapping_add((index * one.size).into());
+                    self.transfer_value(*element, (address, cell + index * one.cells), to_cells)?;
+                }
+                Ok(())
+            }
+            LayoutKind::Members(members) => {
+                for &([bytes, cells], member) in members {
+                    self.transfer_value(
+                        member,
+                        (address.wrapping_add(bytes.into()), cell + cells),
+                        to_cells,
+                    )?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The raw form of a plain value of some bytes, each of which lies in a cell of its own; `None` where there are no such cells.
+    #[must_use]
+    pub fn plain_in_bytes(&self, cell: Address, size: u32, ty: ElementaryType) -> Option<u64> {
+        let bytes = (0..size).rev().map(|index| self.plain(cell + index));
+        let bits = bytes.fold(Some(0), |bits, byte| Some(bits? << 8 | byte?))?;
+        Some(raw_form(ty, size, bits))
     }
 
     fn plain_layout(&self, id: LayoutId) -> Result<(ElementaryType, u32), Halt> {

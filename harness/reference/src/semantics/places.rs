@@ -102,10 +102,12 @@ impl<'m> Lowering<'m> {
             self.report(Code::VariableUndefined, field.span, message);
             return None;
         };
+        let place = self.entered(place);
         let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             constant,
+            overlaid: place.overlaid,
             ..VariablePlace::new(location, member.ty)
         })
     }
@@ -171,6 +173,7 @@ impl<'m> Lowering<'m> {
         let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
         known.then_some(VariablePlace {
             constant: place.constant,
+            overlaid: place.overlaid,
             ..VariablePlace::new(location, shape.element)
         })
     }
@@ -290,6 +293,22 @@ impl<'m> Lowering<'m> {
             self.report(Code::BitAccessOutOfRange, span, message);
         }
         let outer = place.part.map_or(0, |outer| outer.first);
+        if place.overlaid {
+            // A part of a field of a union is a value of its own, or a bit of one of the bytes.
+            let first = outer + first.unwrap_or(0);
+            let is_bit = part == ElementaryType::Bool;
+            let bit = Part {
+                first: first % 8,
+                ty: part,
+            };
+            return Some(VariablePlace {
+                location: self.shifted(place.location, u32::from(first / 8)),
+                ty: TypeId::of(if is_bit { ElementaryType::Byte } else { part }),
+                part: is_bit.then_some(bit),
+                overlaid: !is_bit,
+                ..place
+            });
+        }
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = match limited {

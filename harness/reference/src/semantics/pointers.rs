@@ -138,6 +138,23 @@ impl<'m> Lowering<'m> {
         behind(target)
     }
 
+    /// The place of a value whose members are looked for: of a union, by its address in bytes.
+    pub(super) fn entered(&mut self, place: VariablePlace) -> VariablePlace {
+        if !self.model.types.is_union(place.ty) {
+            return place;
+        }
+        if place.location != Location::Bytes {
+            self.push_address(place.location);
+            self.emit(Instruction::AddressOf);
+            self.addresses.are_taken = true;
+        }
+        VariablePlace {
+            location: Location::Bytes,
+            overlaid: true,
+            ..place
+        }
+    }
+
     /// The location of a member of what lies at a place.
     pub(super) fn member_location(&mut self, place: VariablePlace, member: &TypeMember) -> Location {
         let offset = match place.location {
@@ -149,7 +166,7 @@ impl<'m> Lowering<'m> {
 
     /// The place by the address of its cell, which all that is no plain value needs, and VAR_IN_OUT and calls.
     pub(super) fn located(&mut self, place: VariablePlace) -> VariablePlace {
-        if place.location != Location::Bytes {
+        if place.location != Location::Bytes || place.overlaid {
             return place;
         }
         let layout = self.layout(place.ty);

@@ -148,6 +148,8 @@ pub(super) struct Structure {
     pub(super) pou: u32,
     /// The type that it extends, whose elements lie before its own.
     pub(super) base: Option<TypeId>,
+    /// Whether all elements share the memory: a union, of which each cell holds a byte.
+    pub(super) is_union: bool,
     /// The elements, those of the base left out.
     pub(super) members: NamedList<TypeMember>,
 }
@@ -200,6 +202,8 @@ pub(super) struct Extent {
     pub(super) depth: u32,
     /// Whether a function block is part of it.
     pub(super) has_block: bool,
+    /// Whether an interface is part of it.
+    pub(super) has_interface: bool,
     /// The value without an initial value.
     pub(super) default: DefaultValue,
 }
@@ -211,6 +215,7 @@ impl Extent {
         text_units: 0,
         depth: 0,
         has_block: false,
+        has_interface: false,
         default: DefaultValue::Zero,
     };
 }
@@ -296,6 +301,11 @@ impl TypeTable {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => Some(structure),
             _ => None,
         }
+    }
+
+    /// Returns whether a type is a union.
+    pub(super) fn is_union(&self, id: TypeId) -> bool {
+        self.structure(id).is_some_and(|structure| structure.is_union)
     }
 
     /// Returns the element or variable of a name, inherited ones among them.

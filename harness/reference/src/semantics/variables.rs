@@ -308,6 +308,7 @@ impl<'u> Declarer<'u, '_> {
             name: name.text.into(),
             pou: saturating_u32(pou),
             base,
+            is_union: false,
             members,
         });
         let kind = match program {

@@ -11,7 +11,9 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
-            TokenKind::Name if parser.unsupported_union() => Ok(Kind::Error),
+            TokenKind::Name if parser.nth(1) == TokenKind::Name && parser.at_word("UNION") => {
+                parser.union_type()
+            }
             TokenKind::Name => parser.named_type(),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
@@ -176,6 +178,16 @@ impl<'s> Parser<'s, '_> {
         } else {
             Kind::Structure(fields)
         })
+    }
+
+    /// `UNION … END_UNION`, an extension of CODESYS and others.
+    fn union_type(&mut self) -> ParseResult<Kind<'s>> {
+        let word = self.bump().span;
+        let has = self.has("union", word, "UNION");
+        let open = std::mem::take(&mut self.open);
+        let fields = self.variable_groups(TokenKind::Name);
+        self.open = open;
+        Ok(if has { Kind::Union(fields) } else { Kind::Error })
     }
 
     /// `.name.name` behind the name of a namespace.

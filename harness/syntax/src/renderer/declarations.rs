@@ -234,12 +234,15 @@ impl<'u, 's> Writer<'u, 's> {
                 });
                 self.put(")");
             }
-            TypeSpecificationKind::Structure(fields) => {
-                self.put("STRUCT");
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                let is_union = matches!(specification.kind, TypeSpecificationKind::Union(_));
+                let word = ["STRUCT", "UNION"][usize::from(is_union)];
+                self.put(word);
                 self.end();
                 self.groups(fields);
                 self.begin();
-                self.put("END_STRUCT");
+                self.put("END_");
+                self.put(word);
             }
             TypeSpecificationKind::Error => {}
         }

@@ -174,7 +174,7 @@ impl<'u, 's> Names<'u, 's> {
                 self.values
                     .extend(values.iter().map(|(name, _)| (CaseFolded(name.text), name.text)));
             }
-            TypeSpecificationKind::Structure(fields) => {
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
                 self.declare_members(specification.span.start, fields)
             }
             TypeSpecificationKind::Array { element, .. }

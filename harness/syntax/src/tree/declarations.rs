@@ -254,6 +254,8 @@ pub enum TypeSpecificationKind<'s> {
     },
     /// `STRUCT … END_STRUCT`.
     Structure(Vec<VariableGroup<'s>>),
+    /// `UNION … END_UNION`.
+    Union(Vec<VariableGroup<'s>>),
     /// A type that could not be read, or that names something that is not implemented; a diagnostic has been
     /// given, and nothing more is said about what is declared with it.
     Error,
