@@ -38,7 +38,10 @@ impl<'u> Declarer<'u, '_> {
         completed: &mut FxHashSet<CaseFolded<'u>>,
     ) {
         let is_resource = |name: &str| {
-            let mut headers = configuration.resources.iter().filter_map(|resource| resource.header);
+            let mut headers = configuration
+                .resources
+                .iter()
+                .filter_map(|resource| resource.header);
             headers.any(|(header, _)| header.is(name))
         };
         let path_text = match path.text.split_once('.') {
@@ -100,7 +103,9 @@ impl<'u> Declarer<'u, '_> {
     ) {
         let pous = self.model.pous.iter().map(|entry| entry.pou);
         let program = pous.filter(|pou| pou.kind == PouKind::Program && pou.name.is(program.text));
-        let groups = program.flat_map(|pou| &pou.blocks).flat_map(|block| &block.groups);
+        let groups = program
+            .flat_map(|pou| &pou.blocks)
+            .flat_map(|block| &block.groups);
         let names = groups
             .filter(|group| group.is_partly_located())
             .flat_map(|group| &group.names);

@@ -95,8 +95,7 @@ impl TypeRules<'_> {
                 let is_bool = |operand| operand == Inferred::Known(TypeId::BOOL);
                 let operands = (TypeId::BOOL, TypeId::BOOL);
                 let action = Action::ShortCircuit { decisive };
-                (is_bool(left) && is_bool(right))
-                    .then(|| TypedOperation::new(operands, action, TypeId::BOOL))
+                (is_bool(left) && is_bool(right)).then(|| TypedOperation::new(operands, action, TypeId::BOOL))
             }
             OperatorGroup::Power if self.dialect.integers_as_lreal => self.power(left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.

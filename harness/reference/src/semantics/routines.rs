@@ -112,10 +112,7 @@ impl<'m> Lowering<'m> {
             let kind = self.model.variable(index).kind;
             if !matches!(
                 kind,
-                VariableKind::Temporary
-                    | VariableKind::InOut
-                    | VariableKind::External
-                    | VariableKind::Static
+                VariableKind::Temporary | VariableKind::InOut | VariableKind::External | VariableKind::Static
             ) {
                 self.begin_with(index);
             }

@@ -141,10 +141,11 @@ impl<'u> Declarer<'u, '_> {
         if kind == VariableKind::InOut {
             self.model.pous[pou].in_outs.push(index);
         }
-        let fixed = block.constant && matches!(
-            block.kind,
-            VariableKind::Local | VariableKind::Temporary | VariableKind::Static
-        );
+        let fixed = block.constant
+            && matches!(
+                block.kind,
+                VariableKind::Local | VariableKind::Temporary | VariableKind::Static
+            );
         let value = match kind {
             VariableKind::External => self.external_constant(name),
             _ if fixed => self.local_constant(group, ty),

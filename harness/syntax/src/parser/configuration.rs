@@ -2,7 +2,9 @@
 
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
-use crate::tree::{Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind};
+use crate::tree::{
+    Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind,
+};
 
 impl<'s> Parser<'s, '_> {
     /// CONFIGURATION … END_CONFIGURATION; `None` without a name, when the contents are read all the same.

@@ -118,11 +118,6 @@ impl PartialEq for Configuration<'_> {
             span: _,
         } = self;
         (name, globals, resources, configured)
-            == (
-                &other.name,
-                &other.globals,
-                &other.resources,
-                &other.configured,
-            )
+            == (&other.name, &other.globals, &other.resources, &other.configured)
     }
 }
