@@ -4,7 +4,6 @@
 //! by cell. [`implicit_result`](crate::implicit_result()) gives the converted value, which is that of the function
 //! `<FROM>_TO_<TO>`.
 
-use crate::catalogue::has_type;
 use stickler_types::documents::DocumentedImplicit;
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
@@ -23,7 +22,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if from == to {
         return MatrixWord::Same;
     }
-    if !has_type(from, dialect) || !has_type(to, dialect) {
+    if !dialect.rules().has(from) || !dialect.rules().has(to) {
         return MatrixWord::No;
     }
     let rules = Dialect::of(dialect);

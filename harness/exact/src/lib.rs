@@ -58,7 +58,7 @@ mod vendor_page;
 
 pub use basis::{Expected, expected, is_overridden, page_has_truncation};
 pub use bulk::Bulk;
-pub use catalogue::{functions, has_type, signature_of, signatures};
+pub use catalogue::{functions, signature_of, signatures};
 pub use choices::choices_of;
 pub use elementary::nearest_result;
 pub use implicit::implicit;
