@@ -16,38 +16,6 @@ use stickler_types::ElementaryType;
 use stickler_types::dialect::TextPositions;
 use stickler_types::literal::date;
 
-/// Counts the numbers that a function takes from the stack besides its texts: a selector, a length, a position.
-pub(super) fn number_count(function: StandardFunction) -> usize {
-    use TextPart::{Delete, Insert, Left, Mid, Replace, Right};
-    match function {
-        StandardFunction::Sel | StandardFunction::Mux => 1,
-        StandardFunction::Part(Left | Right | Insert, _) => 1,
-        StandardFunction::Part(Mid | Delete | Replace, _) => 2,
-        _ => 0,
-    }
-}
-
-/// Counts the plain operands that a function takes from the stack, its selector included.
-pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
-    match function {
-        StandardFunction::Abs
-        | StandardFunction::FiniteAbs
-        | StandardFunction::SwapBytes
-        | StandardFunction::IsValid
-        | StandardFunction::IsValidBcd => 1,
-        StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
-        StandardFunction::Sel | StandardFunction::Limit | StandardFunction::FiniteLimit => 3,
-        StandardFunction::Mux => usize::from(count) + 1,
-        StandardFunction::Min
-        | StandardFunction::Max
-        | StandardFunction::InOrder(_)
-        | StandardFunction::Compose
-        | StandardFunction::Real(_)
-        | StandardFunction::RealOrStop(_) => usize::from(count),
-        _ => number_count(function),
-    }
-}
-
 /// The result for plain operands, the deepest first.
 pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &[u64]) -> Result<u64, Halt> {
     match (called, operands) {
@@ -195,17 +163,6 @@ fn rotated_left(value: u64, count: i64, of: ElementaryType) -> u64 {
 /// A text on the machine's stack: a constant of the program, or what the run made.
 pub(super) type Text<'p> = Cow<'p, [u16]>;
 
-/// Counts the texts that a function takes from the stack.
-pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
-    match function {
-        StandardFunction::Part(TextPart::Insert | TextPart::Replace, _) => 2,
-        StandardFunction::Len | StandardFunction::Part(..) => 1,
-        StandardFunction::Sel | StandardFunction::Find => 2,
-        StandardFunction::Limit => 3,
-        _ => usize::from(count),
-    }
-}
-
 /// Returns the characters of a text of this length that a number of them from a position on are, as far as they are there.
 ///
 /// Basis: iec-61131-3: Table 34 (positions count from 1; what lies outside the text is an error, of which the standard leaves the consequences
@@ -294,7 +251,18 @@ fn of_clipped(part: TextPart, numbers: &[i64], texts: &[Text<'_>]) -> Option<Vec
     }
 }
 
-/// The resulting text for texts, the deepest first; `numbers` are those of [`number_count`].
+fn furthest_text<'t, 'p>(further: Ordering, texts: &'t mut [Text<'p>]) -> Option<&'t mut Text<'p>> {
+    // The first of equal texts, as for plain values.
+    texts.iter_mut().reduce(|first, second| {
+        if (*second).cmp(first) == further {
+            second
+        } else {
+            first
+        }
+    })
+}
+
+/// The resulting text for texts and the numbers besides, the deepest of each first.
 pub(super) fn of_texts<'p>(
     function: StandardFunction,
     numbers: &[u64],
@@ -318,15 +286,8 @@ pub(super) fn of_texts<'p>(
                 .and_then(|index| texts.get_mut(index))
                 .ok_or(FaultKind::SubscriptRange)?
         }
-        // The first of equal texts, as for plain values.
-        StandardFunction::Min => texts
-            .iter_mut()
-            .reduce(|a, b| if *b < *a { b } else { a })
-            .ok_or(missing)?,
-        StandardFunction::Max => texts
-            .iter_mut()
-            .reduce(|a, b| if *b > *a { b } else { a })
-            .ok_or(missing)?,
+        StandardFunction::Min => furthest_text(Ordering::Less, texts).ok_or(missing)?,
+        StandardFunction::Max => furthest_text(Ordering::Greater, texts).ok_or(missing)?,
         StandardFunction::Limit => {
             let [minimum, value, maximum] = texts else {
                 return Err(missing);
