@@ -64,13 +64,12 @@ pub struct ConversionFunction {
 enum RuleLookup {
     /// By the pair of types.
     Pair(ConversionChoices),
-    /// [`ConversionRule::ToWhole`].
-    Whole(Rounding),
-    /// [`ConversionRule::FromBcd`].
-    FromBcd,
-    /// [`ConversionRule::ToBcd`].
-    ToBcd,
+    /// One rule for all types.
+    Always(ConversionRule),
 }
+
+const FROM_BCD: RuleLookup = RuleLookup::Always(ConversionRule::FromBcd);
+const TO_BCD: RuleLookup = RuleLookup::Always(ConversionRule::ToBcd);
 
 const fn any_of(allowed: &'static [ElementaryType], default: ElementaryType) -> Parameter {
     Parameter::AnyOf { allowed, default }
@@ -145,9 +144,7 @@ impl ConversionFunction {
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
             RuleLookup::Pair(choices) => ConversionRule::between(argument, result, &choices),
-            RuleLookup::Whole(rounding) => Some(ConversionRule::ToWhole(rounding)),
-            RuleLookup::FromBcd => Some(ConversionRule::FromBcd),
-            RuleLookup::ToBcd => Some(ConversionRule::ToBcd),
+            RuleLookup::Always(rule) => Some(rule),
         };
         Conversion {
             from: argument,
@@ -276,7 +273,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         _ => ResultType::Exactly(to),
     };
     let meaning = match to.is_real() {
-        true => RuleLookup::Whole(rounding),
+        true => RuleLookup::Always(ConversionRule::ToWhole(rounding)),
         false => RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),
     };
     dialect.rounding_functions.then_some(ConversionFunction {
@@ -307,7 +304,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_INTEGERS,
                 default: ElementaryType::Int,
             },
-            meaning: RuleLookup::FromBcd,
+            meaning: FROM_BCD,
         }),
         ("INT", "BCD") => Some(ConversionFunction {
             parameter: any_of(BCD_INTEGERS, ElementaryType::Int),
@@ -315,12 +312,12 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_BITS,
                 default: ElementaryType::Word,
             },
-            meaning: RuleLookup::ToBcd,
+            meaning: TO_BCD,
         }),
         ("BCD", to) => Some(ConversionFunction {
             parameter: any_of(BITS, ElementaryType::Word),
             result: ResultType::Exactly(one_of(UNSIGNED, to)?),
-            meaning: RuleLookup::FromBcd,
+            meaning: FROM_BCD,
         }),
         _ => bcd_of_pair(from, to),
     }
@@ -328,12 +325,12 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
 
 fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
     let (parameter, result, meaning) = if let Some(bits) = from.strip_suffix("_BCD") {
-        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, RuleLookup::FromBcd)
+        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, FROM_BCD)
     } else {
         (
             one_of(UNSIGNED, from)?,
             one_of(BITS, to.strip_prefix("BCD_")?)?,
-            RuleLookup::ToBcd,
+            TO_BCD,
         )
     };
     Some(ConversionFunction {
@@ -347,7 +344,7 @@ fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
     Some(ConversionFunction {
         parameter: any_of(UNSIGNED, ElementaryType::Uint),
         result: ResultType::Exactly(to),
-        meaning: RuleLookup::ToBcd,
+        meaning: TO_BCD,
     })
 }
 
