@@ -71,6 +71,14 @@ enum RuleLookup {
 const FROM_BCD: RuleLookup = RuleLookup::Always(ConversionRule::FromBcd);
 const TO_BCD: RuleLookup = RuleLookup::Always(ConversionRule::ToBcd);
 
+const fn giving(parameter: Parameter, to: ElementaryType, meaning: RuleLookup) -> ConversionFunction {
+    ConversionFunction {
+        parameter,
+        result: ResultType::Exactly(to),
+        meaning,
+    }
+}
+
 const fn any_of(allowed: &'static [ElementaryType], default: ElementaryType) -> Parameter {
     Parameter::AnyOf { allowed, default }
 }
@@ -215,28 +223,23 @@ fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
 /// `<SRC>_TO_<DST>`.
 fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
     let has_meaning = ConversionRule::between(from, to, &dialect.conversions).is_some();
-    (from != to && has_meaning).then_some(ConversionFunction {
-        parameter: Parameter::Exactly(from),
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions);
+    (from != to && has_meaning).then_some(giving(Parameter::Exactly(from), to, meaning))
 }
 
 /// `TO_<DST>`, `TO_BCD_<BITS>`.
 fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     if let Some(bits) = to.strip_prefix("BCD_") {
-        return any_to_bcd(one_of(BITS, bits)?);
+        let parameter = any_of(UNSIGNED, ElementaryType::Uint);
+        return Some(giving(parameter, one_of(BITS, bits)?, TO_BCD));
     }
     let to = elementary(to, dialect)?;
     let allowed = match dialect.inputs.get(&to) {
         Some(&inputs) => inputs,
         None => SOURCES.get(to as usize)?,
     };
-    Some(ConversionFunction {
-        parameter: any_of(allowed, ElementaryType::Dint),
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions);
+    Some(giving(any_of(allowed, ElementaryType::Dint), to, meaning))
 }
 
 /// TRUNC and its kin, ROUND and its kin.
@@ -288,11 +291,8 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
         Parameter::Exactly(from) => from.is_real(),
         Parameter::AnyOf { .. } => true,
     };
-    (takes_real && to.is_integer()).then_some(ConversionFunction {
-        parameter,
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions.of_truncation()),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions.of_truncation());
+    (takes_real && to.is_integer()).then_some(giving(parameter, to, meaning))
 }
 
 /// The names with BCD in them, the overloaded `TO_BCD_<BITS>` aside.
@@ -314,38 +314,21 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
             },
             meaning: TO_BCD,
         }),
-        ("BCD", to) => Some(ConversionFunction {
-            parameter: any_of(BITS, ElementaryType::Word),
-            result: ResultType::Exactly(one_of(UNSIGNED, to)?),
-            meaning: FROM_BCD,
-        }),
-        _ => bcd_of_pair(from, to),
+        ("BCD", to) => {
+            let parameter = any_of(BITS, ElementaryType::Word);
+            Some(giving(parameter, one_of(UNSIGNED, to)?, FROM_BCD))
+        }
+        _ => match from.strip_suffix("_BCD") {
+            Some(bits) => {
+                let parameter = Parameter::Exactly(one_of(BITS, bits)?);
+                Some(giving(parameter, one_of(UNSIGNED, to)?, FROM_BCD))
+            }
+            None => {
+                let parameter = Parameter::Exactly(one_of(UNSIGNED, from)?);
+                Some(giving(parameter, one_of(BITS, to.strip_prefix("BCD_")?)?, TO_BCD))
+            }
+        },
     }
-}
-
-fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
-    let (parameter, result, meaning) = if let Some(bits) = from.strip_suffix("_BCD") {
-        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, FROM_BCD)
-    } else {
-        (
-            one_of(UNSIGNED, from)?,
-            one_of(BITS, to.strip_prefix("BCD_")?)?,
-            TO_BCD,
-        )
-    };
-    Some(ConversionFunction {
-        parameter: Parameter::Exactly(parameter),
-        result: ResultType::Exactly(result),
-        meaning,
-    })
-}
-
-fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
-    Some(ConversionFunction {
-        parameter: any_of(UNSIGNED, ElementaryType::Uint),
-        result: ResultType::Exactly(to),
-        meaning: TO_BCD,
-    })
 }
 
 fn one_of(types: &[ElementaryType], name: &str) -> Option<ElementaryType> {

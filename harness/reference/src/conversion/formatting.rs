@@ -35,7 +35,6 @@ fn specified(raw: u64, from: ElementaryType, specification: &str) -> Option<Stri
         'I' => {
             let reals = RealText::SignificantDigits(if from == ElementaryType::Real { 7 } else { 15 });
             let text = writing::write(raw, from, reals, BitStringText::FullWidth, MomentText::Literal);
-            let text = String::from_utf16_lossy(&text);
             Some(text.replace("e+", "E+").replace("e-", "E-"))
         }
         'D' if from.is_integer() || from.is_bit_string() => {

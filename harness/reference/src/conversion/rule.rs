@@ -337,7 +337,8 @@ impl Conversion {
         match self.rule {
             ConversionRule::CharacterToText => text::of_character(value, self.to),
             ConversionRule::WriteText(reals, bits, moments) => {
-                writing::write(value, self.from, reals, bits, moments)
+                let text = writing::write(value, self.from, reals, bits, moments);
+                text.bytes().map(u16::from).collect()
             }
             _ => Vec::new(),
         }
