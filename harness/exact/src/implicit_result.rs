@@ -51,10 +51,8 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
 
 /// Returns the number as a value of the type, if the type holds it.
 fn held(number: i128, to: ElementaryType) -> ImplicitResult {
-    match to.integer_range() {
-        Some((least, greatest)) if (least..=greatest).contains(&number) => {
-            ImplicitResult::Exactly(Value::plain(to, integer::wrapped(number, to)))
-        }
-        _ => ImplicitResult::Open,
+    match to.holds(number) {
+        true => ImplicitResult::Exactly(Value::plain(to, integer::wrapped(number, to))),
+        false => ImplicitResult::Open,
     }
 }

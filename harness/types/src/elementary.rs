@@ -313,6 +313,14 @@ impl ElementaryType {
         }
     }
 
+    /// Returns whether an integer, bit string or `BOOL` has a value of this number; `false` for other types.
+    pub const fn holds(self, number: i128) -> bool {
+        match self.integer_range() {
+            Some((least, greatest)) => least <= number && number <= greatest,
+            None => false,
+        }
+    }
+
     /// Returns the raw form of a number modulo 2^bits of an integer, bit string or `BOOL`.
     ///
     /// For `BOOL` that is the lowest bit of the number. For other types, the result has their number of low bits and no

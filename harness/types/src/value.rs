@@ -226,15 +226,10 @@ fn boolean(rest: &str) -> Result<u64, LiteralError> {
 fn ranged(value: Result<i128, LiteralError>, ty: ElementaryType) -> Result<u64, LiteralError> {
     let out_of_range = LiteralError::overflow(0, ty.name());
     match value {
-        Ok(value) if fits(value, ty) => Ok(ty.wrap(value)),
+        Ok(value) if ty.holds(value) => Ok(ty.wrap(value)),
         Ok(_) | Err(LiteralError::Overflow { .. }) => Err(out_of_range),
         Err(error) => Err(error),
     }
-}
-
-fn fits(value: i128, ty: ElementaryType) -> bool {
-    ty.integer_range()
-        .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
 /// Returns the raw form of a NaN or an infinity, if the text is one of Stickler's words for them.

@@ -4,7 +4,7 @@ use super::page::WIDTH;
 use crate::functions::dialect_list;
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_exact::{Operation, Signature, choices_of};
+use stickler_exact::{Operation, Signature};
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family,
     MomentUnits, OutOfRange, RealText, Rounding, TextReading, wrap_within,
@@ -56,7 +56,7 @@ fn choices(
 ) -> Vec<(String, Vec<DialectName>)> {
     let mut found: Vec<(String, Vec<DialectName>)> = Vec::new();
     for dialect in dialects {
-        let choice = (topic.choice)(&choices_of(*dialect), signature);
+        let choice = (topic.choice)(&dialect.rules().conversions, signature);
         match found.iter_mut().find(|(known, _)| *known == choice) {
             Some((_, choosers)) => choosers.push(*dialect),
             None => found.push((choice, vec![*dialect])),

@@ -79,9 +79,8 @@ pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dial
 ///
 /// Basis: twincat-builds: recordings/twincat.build.json (`bound_…`, `cc_literal_…`).
 pub(crate) fn literal_warning(number: i128, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
-    let (low, high) = to.integer_range()?;
     let is_warned = dialect.literals_by_width && dialect.implicit_warnings == ImplicitWarnings::LostValues;
-    (is_warned && !(low..=high).contains(&number)).then_some(if number < 0 {
+    (is_warned && to.integer_range().is_some() && !to.holds(number)).then_some(if number < 0 {
         Code::SignedToUnsigned
     } else {
         Code::UnsignedToSigned
@@ -240,14 +239,7 @@ fn numbers_unless_narrower(from: ElementaryType, to: ElementaryType) -> bool {
 /// bit numbers").
 fn moments(from: ElementaryType, to: ElementaryType) -> bool {
     let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
-    (is_moment(from) && (is_number(to) || is_moment(to))) || (is_number(from) && is_moment(to))
-}
-
-const fn is_moment(ty: ElementaryType) -> bool {
-    matches!(
-        ty.family(),
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
-    )
+    (from.is_moment() && (is_number(to) || to.is_moment())) || (is_number(from) && to.is_moment())
 }
 
 /// Every value of the one integer type is a value of the other.

@@ -176,11 +176,7 @@ fn digits_length(text: &str, base: u32) -> usize {
 
 /// Returns whether the target holds an integer literal.
 fn is_in_range(text: &str, to: ElementaryType) -> bool {
-    let holds = |value| {
-        to.integer_range()
-            .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
-    };
-    literal::integer(text).is_ok_and(holds)
+    literal::integer(text).is_ok_and(|number| to.holds(number))
 }
 
 /// An integer literal modulo 2^n of the target, however many digits it has.

@@ -95,7 +95,7 @@ impl Lowering<'_> {
             return inferred;
         };
         let unsigned = integer_of(ty.bits(), false);
-        if !holds(ty, number) && holds(unsigned, number) {
+        if !ty.holds(number) && unsigned.holds(number) {
             Inferred::from(unsigned)
         } else {
             inferred
@@ -126,10 +126,4 @@ impl Lowering<'_> {
             _ => None,
         }
     }
-}
-
-/// Returns whether an integer or bit string has a value of this number.
-pub(super) fn holds(ty: ElementaryType, number: i128) -> bool {
-    ty.integer_range()
-        .is_some_and(|(low, high)| (low..=high).contains(&number))
 }
