@@ -4,9 +4,9 @@
 //!
 //! Basis: iec-61131-3: Tables 28 and 29 (the functions); IEC 60559: roundTiesToEven.
 
-use crate::integer;
-use crate::real::{self, Real, nearest};
-use num_bigint::BigInt;
+use crate::real::{self, Real};
+use crate::{integer, quotient};
+use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::sync::LazyLock;
@@ -79,13 +79,10 @@ fn fixed(value: &Value) -> Option<BigInt> {
 
 /// Rounds a number once; what rounds to zero keeps its sign.
 fn rounded(number: &BigInt, exponent: i32, to: ElementaryType) -> u64 {
-    let magnitude = number.magnitude();
-    let dropped = (magnitude.bits() as u32).saturating_sub(120);
-    let kept = magnitude >> dropped;
-    let sticky = &(&kept << dropped) != magnitude;
-    let exponent = exponent - PRECISION as i32 + dropped as i32;
-    let kept = kept.to_u128().unwrap_or(u128::MAX);
-    nearest(number.is_negative(), kept, sticky, exponent, to)
+    let power = |exponent: i32| BigUint::one() << u32::try_from(exponent).unwrap_or(0);
+    let binary = exponent - PRECISION as i32;
+    let numerator = number.magnitude() * power(binary);
+    quotient::nearest(number.is_negative(), &numerator, &power(-binary), to)
 }
 
 fn scaled(function: &str, numbers: &[BigInt]) -> Option<Scaled> {
