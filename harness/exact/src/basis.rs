@@ -331,7 +331,7 @@ impl<'s> UnaryCall<'s> {
 
     /// Returns the basis of `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
     fn of_text(self, from: ElementaryType, units: &[u16]) -> Option<&'static str> {
-        let is_listed = from == ElementaryType::String && (self.to.is_integer() || self.to.is_real());
+        let is_listed = from == ElementaryType::String && self.to.is_number();
         match self.rules {
             Rules::Matiec if is_listed => texts::basis(units, self.to),
             Rules::Strucpp if is_listed && texts::is_plain_number(units, self.to) => Some(STRUCPP_TEXTS),

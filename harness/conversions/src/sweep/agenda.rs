@@ -129,7 +129,7 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
     let mut kept = DialectName::ALL[0].rules().conversions;
-    if real && (signature.result.is_integer() || signature.result.is_bit_string()) {
+    if real && signature.result.is_whole() {
         kept.rounding = choices.rounding;
         match signature.operation {
             Operation::Truncate => kept.truncation_out_of_range = choices.truncation_out_of_range,

@@ -247,7 +247,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     let any_real = any_of(REALS, ElementaryType::Real);
     let (stem, named) = match name.split_once('_') {
         Some((stem, to)) => {
-            let to = elementary(to, dialect).filter(|ty| ty.is_integer() || ty.is_real());
+            let to = elementary(to, dialect).filter(|ty| ty.is_number());
             (stem, Some(to?))
         }
         None => (name, None),

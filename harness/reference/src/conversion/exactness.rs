@@ -31,9 +31,7 @@ fn telling_bits() -> impl Iterator<Item = u64> {
 }
 
 fn integers() -> impl Iterator<Item = ElementaryType> {
-    ElementaryType::ALL
-        .into_iter()
-        .filter(|ty| ty.is_integer() || ty.is_bit_string())
+    ElementaryType::ALL.into_iter().filter(|ty| ty.is_whole())
 }
 
 /// The nearest number with so many significant bits, ties to even.

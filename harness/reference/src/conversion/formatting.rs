@@ -37,7 +37,7 @@ fn specified(raw: u64, from: ElementaryType, specification: &str) -> Option<Stri
             let text = writing::write(raw, from, reals, BitStringText::FullWidth, MomentText::Literal);
             Some(text.replace("e+", "E+").replace("e-", "E-"))
         }
-        'D' if from.is_integer() || from.is_bit_string() => {
+        'D' if from.is_whole() => {
             let number = from.integer_value(raw);
             let (sign, width) = (if number < 0 { "-" } else { "" }, precision.unwrap_or(1));
             Some(format!("{sign}{:0width$}", number.unsigned_abs()))

@@ -24,7 +24,7 @@ impl Lowering<'_> {
         }
         let bare = &self.expression(self.model.source.bare(id)).kind;
         let (number, to) = value.constant.zip(to.elementary())?;
-        if !matches!(bare, ExpressionKind::Binary { .. }) || !(to.is_integer() || to.is_bit_string()) {
+        if !matches!(bare, ExpressionKind::Binary { .. }) || !to.is_whole() {
             return None;
         }
         match inferred {

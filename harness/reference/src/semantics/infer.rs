@@ -154,7 +154,7 @@ impl<'m> Lowering<'m> {
         let Some(ty) = self.infer(base).elementary() else {
             return Inferred::Error;
         };
-        if ty.is_integer() || ty.is_bit_string() {
+        if ty.is_whole() {
             Inferred::Known(TypeId::of(part))
         } else {
             Inferred::Error
@@ -203,6 +203,6 @@ pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: 
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate if ty.is_duration() => dialect.negates_durations,
-        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
+        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_number() || ty.is_duration(),
     }
 }

@@ -8,7 +8,7 @@ use stickler_types::{ElementaryType, Family, MomentUnits, OutOfRange};
 /// Returns whether a conversion keeps this value: its target holds it.
 fn holds(conversion: Conversion, raw: u64) -> bool {
     let Conversion { from, to, .. } = conversion;
-    let whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string() || ty == ElementaryType::Bool;
+    let whole = |ty: ElementaryType| ty.is_whole() || ty == ElementaryType::Bool;
     match (from.family(), to.family()) {
         _ if whole(from) && whole(to) => to.holds(from.integer_value(raw)),
         (_, Family::Real) if whole(from) => {
