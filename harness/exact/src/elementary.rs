@@ -30,12 +30,8 @@ type Scaled = (BigInt, i32);
 #[must_use]
 pub fn nearest_result(function: &str, operands: &[Value], result: ElementaryType) -> Option<Value> {
     let numbers: Vec<BigInt> = operands.iter().map(fixed).collect::<Option<_>>()?;
-    let has_negative_zero = || {
-        operands
-            .iter()
-            .any(|value| value.real().is_some_and(is_negative_zero))
-    };
-    if !result.is_real() || numbers.len() == 2 && has_negative_zero() {
+    let is_negative_zero = |value: &Value| value.real().map(f64::to_bits) == Some(1 << 63);
+    if !result.is_real() || numbers.len() == 2 && operands.iter().any(is_negative_zero) {
         return None;
     }
     // A zero of an odd function keeps its sign.
@@ -54,10 +50,6 @@ pub fn nearest_result(function: &str, operands: &[Value], result: ElementaryType
         [low, 0] if low == negative_zero => Some(Value::plain(result, 0)),
         _ => None,
     }
-}
-
-fn is_negative_zero(number: f64) -> bool {
-    number == 0.0 && number.is_sign_negative()
 }
 
 /// Returns a finite number in units of `2^-PRECISION`.
