@@ -74,6 +74,7 @@ pub use generic::GenericType;
 pub use hash::Fnv1a;
 pub use literal::LiteralError;
 pub use numbers::{counted, grouped};
+pub use observed_value::deserialize_expected;
 pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 pub use outcome::{NamedValue, Outcome};
 pub use question::{ConversionCall, Question, TypePair, UnknownQuestion, is_part};

@@ -44,19 +44,29 @@ impl<F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome> Session for BetweenSes
     }
 }
 
+/// Returns the reference, whose requests pass through a function.
+pub fn between<F>(answer: F) -> Between<F>
+where
+    F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome + Send + Sync,
+{
+    Between {
+        reference: Reference::new(),
+        answer,
+    }
+}
+
+/// Returns the reference, whose programs a function changes.
+pub fn rewritten(change: impl Fn(&str) -> String + Send + Sync) -> impl Engine {
+    between(move |session: &mut dyn Session, request: &RunRequest<'_>| {
+        let source = &change(request.source);
+        session.run(&RunRequest { source, ..*request })
+    })
+}
+
 /// Returns the reference with a function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
 pub fn wrong(function: &str, from: &str, to: &str, body: &str) -> impl Engine + use<> {
     let body = body.replace("RIGHT", &format!("{function}(x)"));
     let call = format!(":= {function}(");
     let declared = format!("FUNCTION Wrong : {to}\nVAR_INPUT x : {from}; END_VAR\n{body}\nEND_FUNCTION\n");
-    Between {
-        reference: Reference::new(),
-        answer: move |session: &mut dyn Session, request: &RunRequest<'_>| {
-            let source = request.source.replace(&call, ":= Wrong(");
-            session.run(&RunRequest {
-                source: &format!("{declared}{source}"),
-                ..*request
-            })
-        },
-    }
+    rewritten(move |source| declared.clone() + &source.replace(&call, ":= Wrong("))
 }

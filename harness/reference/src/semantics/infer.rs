@@ -125,7 +125,7 @@ impl<'m> Lowering<'m> {
 
     fn infer_part(&mut self, base: ExpressionId, part: ElementaryType) -> Inferred {
         match self.infer(base).elementary() {
-            Some(ty) if ty.is_integer() || ty.is_bit_string() => Inferred::from(part),
+            Some(ty) if ty.is_whole() => Inferred::from(part),
             _ => Inferred::Error,
         }
     }
@@ -170,6 +170,6 @@ pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: 
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate if ty.is_duration() => dialect.negates_durations,
-        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
+        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_number() || ty.is_duration(),
     }
 }

@@ -252,8 +252,8 @@ impl<'m> Lowering<'m> {
         }
         let place = self.place(base)?;
         let name = self.model.types.name(place.content());
-        let ty = self.model.elementary(place.content());
-        let Some(ty) = ty.filter(|ty| ty.is_integer() || ty.is_bit_string()) else {
+        let ty = self.model.elementary(place.content()).filter(|ty| ty.is_whole());
+        let Some(ty) = ty else {
             self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };
