@@ -50,9 +50,9 @@ pub enum LayoutKind {
 /// A variable that has an address.
 #[derive(Clone, Copy, Debug)]
 pub struct MemoryObject {
-    /// Its first cell.
+    /// The first cell of the variable.
     pub cell: Address,
-    /// Its layout.
+    /// The layout of the variable in bytes.
     pub layout: LayoutId,
     /// The code in which it exists: the body of the function that it belongs to. `None` for a variable that always exists.
     pub frame: Option<(Label, Label)>,

@@ -24,7 +24,7 @@ pub(super) struct Lowering<'m> {
     pub(super) reporter: &'m mut Reporter,
     pub(super) emitter: Emitter,
     pub(super) memory: MemoryLayout,
-    /// How values lie behind references and pointers.
+    /// The layouts in bytes of the types that references and pointers lead to.
     pub(super) addresses: AddressLayouts,
     /// The inferred type of each expression.
     pub(super) inferred: Vec<Inferred>,

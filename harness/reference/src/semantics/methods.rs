@@ -31,7 +31,7 @@ pub(super) struct OwnInstance {
 pub(super) enum Receiver {
     /// The one whose code is running.
     This,
-    /// The same, of which the member of the base is meant.
+    /// The one whose code is running, seen as the block that it extends.
     Super,
     /// The one that an expression names.
     Instance(ExpressionId),
@@ -44,14 +44,14 @@ pub(super) struct UsedMember {
     pub(super) member: Member,
 }
 
-/// How the routine of a callee is reached.
+/// The way in which a call finds the routine that it runs.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Entrance {
-    /// A function.
+    /// A call of a function, which has no instance.
     Function,
-    /// A method of a known block.
+    /// A call of a method that is known beforehand; holds the place of the instance.
     Method(Location),
-    /// The method that the type of the instance has.
+    /// A call of the method that the type of the running program's instance has; holds the place of the instance.
     Dispatched(Location),
 }
 

@@ -113,17 +113,18 @@ pub(super) struct PouEntry<'u> {
     pub(super) cleared: Range<u32>,
     /// The POU that a method or a part of a property is a member of.
     pub(super) owner: Option<u32>,
-    /// The function block or class that it extends.
+    /// The function block or class behind EXTENDS of a function block or class.
     pub(super) base: Option<u32>,
-    /// The interfaces that it implements; those that an interface extends.
+    /// The interfaces that a function block or class implements, or that an interface extends.
     pub(super) interfaces: Vec<u32>,
-    /// The number of types above it.
+    /// The number of types that the POU extends and implements, directly and indirectly.
     pub(super) ancestors: u32,
-    /// Its own methods and properties.
+    /// The methods and properties that the POU declares itself, by name; inherited ones are found by [`Model::member`].
     pub(super) members: Scope<'u, Member>,
     /// Whether the first cell of an instance holds the number of its type, by which its methods are found.
     pub(super) has_type_number: bool,
-    /// How a member is called where only the running program knows which one is meant.
+    /// The shared frame and the routine by which a member is called through a base or an interface; `None` for a member that has one
+    /// implementation only, and is called directly.
     pub(super) dispatch: Option<Dispatch>,
     /// Whether a member has another one in a derived block.
     pub(super) is_overridden: bool,
@@ -149,7 +150,7 @@ impl Member {
     }
 }
 
-/// How members that stand for each other are called.
+/// The parts of a call of a method that the running program chooses by the type of the instance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dispatch {
     /// The member without a body through whose variables arguments and results are passed.
