@@ -52,11 +52,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `STRING[n]`; `closer` closes what stands behind the name.
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let length = self.expression()?;
-        self.require(closer)?;
-        self.open -= 1;
+        let length = self.bracketed(closer, Self::expression)?;
         Ok(Kind::Text { name, length })
     }
 
@@ -71,11 +67,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `INT(low..high)`.
     fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let limits = self.limits()?;
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
         Ok(Kind::Subrange { base, limits })
     }
 
@@ -88,23 +80,11 @@ impl<'s> Parser<'s, '_> {
 
     /// `(RED, GREEN := 5)`.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut values = Vec::new();
-        loop {
-            let name = self.declared_name("the name of an enumerated value")?;
-            let value = if self.eat(TokenKind::Assign) {
-                Some(self.expression()?)
-            } else {
-                None
-            };
-            values.push((name, value));
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let value = |parser: &mut Self| {
+            let name = parser.declared_name("the name of an enumerated value")?;
+            Ok((name, parser.optional(TokenKind::Assign, Self::expression)?))
+        };
+        let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         Ok(Kind::Enumeration { base, values })
     }
 
