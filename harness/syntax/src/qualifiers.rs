@@ -34,8 +34,7 @@ pub fn resolve_qualifiers<'s>(
         } else if known.enumerations.contains(&CaseFolded(qualifier.text)) {
             let span = qualifier.span.to(name.span);
             let is_joined = qualifier.span.end + 1 == name.span.start;
-            let prefix = qualifier.span.end - qualifier.span.start;
-            let value = Prefixed::behind_point(span.text(text), span.start, prefix);
+            let value = Prefixed::new(span.text(text), span.start);
             (is_joined && dialect.values_behind_points).then_some(ExpressionKind::EnumeratedValue(value))
         } else {
             let is_library = dialect.library_namespaces && !known.is_global(qualifier);
@@ -62,10 +61,11 @@ fn qualified<'s>(unit: &SourceUnit<'s>, id: u32) -> Option<(Name<'s>, Name<'s>)>
     }
 }
 
-/// What a text declares.
+/// The declarations of a text, by name.
 struct Known<'s> {
     /// The declarations of each name.
     names: FxHashMap<CaseFolded<'s>, Vec<Declared>>,
+    /// The names of the enumerations.
     enumerations: FxHashSet<CaseFolded<'s>>,
 }
 

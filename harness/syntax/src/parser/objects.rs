@@ -3,7 +3,6 @@
 //!
 //! Basis: iec-61131-3: third edition, 6.6.5 to 6.6.8; codesys-pages: _cds_obj_property.
 
-use super::declarations::closer;
 use super::open::OpenBlock;
 use super::state::Parser;
 use crate::source::Span;
@@ -205,7 +204,7 @@ impl<'s> Parser<'s, '_> {
         let body = self.part_body(&mut blocks);
         self.late_sections = late;
         let end = self.token().span;
-        self.close(closer(kind));
+        self.close(kind.closer());
         let has_no_body = modifiers.is_abstract || self.in_interface;
         if let (Some(first), true) = (body.first(), has_no_body) {
             self.report(Code::SyntaxError, first.span, || {
@@ -229,9 +228,7 @@ impl<'s> Parser<'s, '_> {
 
     /// The statements of a part; a section between them, which is wrong there, goes to the others.
     fn part_body(&mut self, blocks: &mut Vec<crate::tree::VariableBlock<'s>>) -> Vec<crate::tree::Statement> {
-        self.blocks.push(OpenBlock::Member);
-        let body = self.statements();
-        self.blocks.pop();
+        let body = self.block(OpenBlock::Member);
         blocks.append(&mut self.late_sections);
         body
     }

@@ -5,7 +5,7 @@ use super::writer::Writer;
 use crate::tree::{
     Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Modifiers,
     Name, Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup, VariableKind,
+    VariableGroup,
 };
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
@@ -28,24 +28,15 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// A POU; `own_access` is the access specifier that is written with it.
     fn pou(&mut self, pou: &'u Pou<'s>, own_access: Option<Access>) {
-        let (opening, closing) = match pou.kind {
-            PouKind::Program => ("PROGRAM ", "END_PROGRAM"),
-            PouKind::Function => ("FUNCTION ", "END_FUNCTION"),
-            PouKind::FunctionBlock => ("FUNCTION_BLOCK ", "END_FUNCTION_BLOCK"),
-            PouKind::Class => ("CLASS ", "END_CLASS"),
-            PouKind::Interface => ("INTERFACE ", "END_INTERFACE"),
-            PouKind::Method => ("METHOD ", "END_METHOD"),
-            PouKind::Getter => ("GET", "END_GET"),
-            PouKind::Setter => ("SET", "END_SET"),
-        };
+        let closing = pou.kind.closer().text();
         self.begin();
-        self.put(opening);
-        match (pou.kind, own_access) {
-            (PouKind::Getter | PouKind::Setter, access) => {
-                self.access(" ", access, "");
+        self.put(closing.trim_start_matches("END_"));
+        match pou.kind {
+            PouKind::Getter | PouKind::Setter => {
+                self.access(own_access);
                 self.end();
             }
-            (_, access) => self.head(pou, access),
+            _ => self.head(pou, own_access),
         }
         let around = self.pou.replace(pou.span.start);
         pou.blocks.iter().for_each(|block| self.block_of_variables(block));
@@ -63,14 +54,15 @@ impl<'u, 's> Writer<'u, 's> {
             is_final,
             is_override,
         } = pou.modifiers;
-        self.access("", access, " ");
+        self.access(access);
         for (is_written, word) in [
-            (is_abstract, "ABSTRACT "),
-            (is_final, "FINAL "),
-            (is_override, "OVERRIDE "),
+            (is_abstract, " ABSTRACT"),
+            (is_final, " FINAL"),
+            (is_override, " OVERRIDE"),
         ] {
             self.put(if is_written { word } else { "" });
         }
+        self.put(" ");
         self.put(pou.name.text);
         for (word, names) in [(" EXTENDS ", &pou.extends), (" IMPLEMENTS ", &pou.implements)] {
             self.put(if names.is_empty() { "" } else { word });
@@ -83,10 +75,11 @@ impl<'u, 's> Writer<'u, 's> {
         self.end();
     }
 
-    fn access(&mut self, before: &str, access: Option<Access>, behind: &str) {
+    /// An access specifier behind another word.
+    fn access(&mut self, access: Option<Access>) {
         let known = Access::ALL.into_iter().find(|(one, _)| Some(*one) == access);
         if let Some((_, word)) = known {
-            self.out.extend([before, word, behind]);
+            self.out.extend([" ", word]);
         }
     }
 
@@ -101,7 +94,7 @@ impl<'u, 's> Writer<'u, 's> {
                 let access = parts[0].modifiers.access;
                 let is_shared = parts.iter().all(|part| part.modifiers.access == access);
                 writer.begin();
-                writer.put("PROPERTY ");
+                writer.put("PROPERTY");
                 writer.head(&parts[0], access.filter(|_| is_shared));
                 for part in parts {
                     let access = part.modifiers.access.filter(|_| !is_shared);
@@ -114,17 +107,8 @@ impl<'u, 's> Writer<'u, 's> {
 
     fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
         self.begin();
-        self.put(match block.kind {
-            VariableKind::Local => "VAR",
-            VariableKind::Temporary => "VAR_TEMP",
-            VariableKind::Instance => "VAR_INST",
-            VariableKind::Input => "VAR_INPUT",
-            VariableKind::Output => "VAR_OUTPUT",
-            VariableKind::InOut => "VAR_IN_OUT",
-            VariableKind::External => "VAR_EXTERNAL",
-            VariableKind::Global => "VAR_GLOBAL",
-        });
-        self.access(" ", block.access, "");
+        self.put(block.kind.keyword());
+        self.access(block.access);
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
             self.put(" ");

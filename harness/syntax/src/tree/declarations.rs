@@ -2,6 +2,7 @@
 
 use super::{Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
+use crate::token::TokenKind;
 
 /// A declaration at the top level of a source text.
 #[derive(PartialEq, Debug)]
@@ -42,6 +43,21 @@ impl PouKind {
     #[must_use]
     pub const fn is_member(self) -> bool {
         matches!(self, PouKind::Method | PouKind::Getter | PouKind::Setter)
+    }
+
+    /// Returns the keyword that closes the POU: END_ and the word that opens it.
+    #[must_use]
+    pub const fn closer(self) -> TokenKind {
+        match self {
+            PouKind::Program => TokenKind::EndProgram,
+            PouKind::Function => TokenKind::EndFunction,
+            PouKind::FunctionBlock => TokenKind::EndFunctionBlock,
+            PouKind::Class => TokenKind::EndClass,
+            PouKind::Interface => TokenKind::EndInterface,
+            PouKind::Method => TokenKind::EndMethod,
+            PouKind::Getter => TokenKind::EndGet,
+            PouKind::Setter => TokenKind::EndSet,
+        }
     }
 }
 
@@ -139,6 +155,27 @@ pub enum VariableKind {
     External,
     /// VAR_GLOBAL.
     Global,
+}
+
+impl VariableKind {
+    /// The sections and the keywords that open them.
+    pub const ALL: [(VariableKind, TokenKind); 8] = [
+        (VariableKind::Local, TokenKind::Var),
+        (VariableKind::Temporary, TokenKind::VarTemp),
+        (VariableKind::Instance, TokenKind::VarInst),
+        (VariableKind::Input, TokenKind::VarInput),
+        (VariableKind::Output, TokenKind::VarOutput),
+        (VariableKind::InOut, TokenKind::VarInOut),
+        (VariableKind::External, TokenKind::VarExternal),
+        (VariableKind::Global, TokenKind::VarGlobal),
+    ];
+
+    /// Returns the spelling of the keyword that opens the section.
+    #[must_use]
+    pub fn keyword(self) -> &'static str {
+        let known = VariableKind::ALL.into_iter().find(|(kind, _)| *kind == self);
+        known.map_or("VAR", |(_, keyword)| keyword.text())
+    }
 }
 
 /// One variable section, VAR … END_VAR.
