@@ -1,7 +1,7 @@
 //! The features of the language that a program uses, by their keys in `conformance-cases/features.toml`.
 //!
-//! What a program uses does not depend on the dialect, of which only the nesting of comments and names of its own are taken: a program with `.%X3`
-//! uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
+//! What a program uses does not depend on the dialect, of which only the nesting of comments and the names of types and functions
+//! are taken: a program with `.%X3` uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
 //! values are in nearly every program and are no features.
 
 mod expressions;
@@ -79,9 +79,9 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
 /// A walk that notes features.
 struct FeatureFinder<'t, 's> {
     text: &'s str,
-    /// Of which the names of its own are taken.
+    /// The dialect, of which the names of types and functions are taken.
     dialect: &'t Dialect,
-    /// What the program declares, by name; of several of one name the last.
+    /// The kind of each declaration of the program by its name; of several of one name the last.
     declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
     /// The types with which variables and fields are declared, by name.
     types: FxHashMap<CaseFolded<'s>, &'t TypeSpecification<'s>>,
@@ -280,42 +280,27 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
-        self.note_if(
-            declaration.extends.is_some(),
-            "structure-extends",
-            declaration.name.span,
-        );
-        if matches!(
-            declaration.specification.kind,
-            TypeSpecificationKind::Structure(_)
-        ) {
-            self.end_of_block(declaration.specification.span);
-        }
-        let key = match &declaration.specification.kind {
-            TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => "type-alias",
-            TypeSpecificationKind::Array { .. } => "array-type",
+        let span = declaration.name.span;
+        self.note_if(declaration.extends.is_some(), "structure-extends", span);
+        match &declaration.specification.kind {
+            TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => {
+                self.note("type-alias", span)
+            }
+            TypeSpecificationKind::Array { .. } => self.note("array-type", span),
+            TypeSpecificationKind::Structure(_) => self.end_of_block(declaration.specification.span),
             TypeSpecificationKind::Subrange { .. }
             | TypeSpecificationKind::Enumeration { .. }
-            | TypeSpecificationKind::Structure(_)
             | TypeSpecificationKind::Pointer { .. }
-            | TypeSpecificationKind::Error => return self.initial_value_of_type(declaration),
-        };
-        self.note(key, declaration.name.span);
-        self.initial_value_of_type(declaration);
+            | TypeSpecificationKind::Error => {}
+        }
+        if let Some(initializer) = &declaration.initializer {
+            self.note("type-initial-value", initializer.span);
+        }
     }
 
     fn section(&mut self, section: &'t VariableBlock<'s>, _: &Context<'t, 's>) {
-        let key = match section.kind {
-            VariableKind::Local => None,
-            VariableKind::Temporary => Some("var-temp"),
-            VariableKind::Instance => Some("var-inst"),
-            VariableKind::Input => Some("var-input"),
-            VariableKind::Output => Some("var-output"),
-            VariableKind::InOut => Some("var-in-out"),
-            VariableKind::External => Some("var-external"),
-            VariableKind::Global => Some("var-global"),
-        };
-        if let Some(key) = key {
+        if section.kind != VariableKind::Local {
+            let key = section.kind.keyword().to_ascii_lowercase().replace('_', "-");
             self.note(key, section.span);
         }
         self.note_if(section.access.is_some(), "access-specifier", section.span);
@@ -334,24 +319,18 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
         if let Some(initializer) = initializer.filter(|_| is_field || is_plain) {
-            self.note(
-                if is_field {
-                    "field-initial-value"
-                } else {
-                    "initial-value"
-                },
-                initializer.span,
-            );
+            let key = ["initial-value", "field-initial-value"][usize::from(is_field)];
+            self.note(key, initializer.span);
         }
         if let TypeSpecificationKind::Named(ty) = &group.specification.kind {
             match self.declared(ty.unqualified().text) {
                 Some(DeclaredKind::Pou(PouKind::FunctionBlock)) => {
                     self.note("function-block-instance", ty.span);
-                    let is_temporary = at
+                    let is_held = at
                         .section
-                        .is_some_and(|section| section.kind != VariableKind::InOut)
-                        && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
-                    self.note_if(is_temporary, "function-block-in-function", ty.span);
+                        .is_some_and(|section| section.kind != VariableKind::InOut);
+                    let in_function = at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
+                    self.note_if(is_held && in_function, "function-block-in-function", ty.span);
                 }
                 Some(DeclaredKind::Pou(PouKind::Interface)) => self.note("interface-variable", ty.span),
                 _ => {}
@@ -374,11 +353,9 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             TypeSpecificationKind::Array { dimensions, .. } => {
                 self.note("array", span);
                 self.note_if(dimensions.len() > 1, "array-dimensions", span);
-                let written =
-                    |id: ExpressionId| at.unit.expression(id).map(|limit| limit.span.text(self.text));
-                let has_one = dimensions
-                    .iter()
-                    .any(|(low, high)| written(*low) == written(*high));
+                let written = |id| at.unit.expression(id).map(|limit| limit.span.text(self.text));
+                let mut limits = dimensions.iter();
+                let has_one = limits.any(|(low, high)| written(*low) == written(*high));
                 self.note_if(has_one, "array-one-element", span);
             }
             TypeSpecificationKind::Enumeration { base, values } => {
@@ -387,11 +364,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                     self.named_type(base);
                     self.note("enumeration-base-type", span);
                 }
-                self.note_if(
-                    values.iter().any(|(_, number)| number.is_some()),
-                    "enumeration-number",
-                    span,
-                );
+                let has_number = values.iter().any(|(_, number)| number.is_some());
+                self.note_if(has_number, "enumeration-number", span);
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
             TypeSpecificationKind::Pointer { form, target } => {
@@ -417,11 +391,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn statement(&mut self, statement: &'t Statement, _: &Context<'t, 's>) {
         let span = statement.span;
-        use StatementKind::{Case, For, If, Repeat, While};
-        if matches!(
-            statement.kind,
-            If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
-        ) {
+        if statement.kind.is_block() {
             self.end_of_block(span);
         }
         match &statement.kind {
@@ -439,11 +409,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 let mut labels = branches.iter().flat_map(|branch| &branch.labels);
                 let has_range = labels.any(|label| matches!(label, CaseLabel::Range(..)));
                 self.note_if(has_range, "case-range", span);
-                self.note_if(
-                    branches.iter().any(|branch| branch.labels.len() > 1),
-                    "case-list",
-                    span,
-                );
+                let has_list = branches.iter().any(|branch| branch.labels.len() > 1);
+                self.note_if(has_list, "case-list", span);
                 self.note_if(otherwise.is_some(), "case-else", span);
             }
             StatementKind::For { by, .. } => {
@@ -495,12 +462,6 @@ impl<'s> FeatureFinder<'_, 's> {
             && self.declared(name.text).is_none()
         {
             self.note(key, name.span);
-        }
-    }
-
-    fn initial_value_of_type(&mut self, declaration: &TypeDeclaration<'_>) {
-        if let Some(initializer) = &declaration.initializer {
-            self.note("type-initial-value", initializer.span);
         }
     }
 }

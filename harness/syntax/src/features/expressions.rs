@@ -30,23 +30,14 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
             ExpressionKind::Field { field, .. } if self.is_property(field.text) => {}
-            ExpressionKind::Field { base, .. }
-                if let Some(key) = self.name_of(*base, at).and_then(|name| self.qualifier(name)) =>
-            {
-                self.note(key, span);
-            }
             ExpressionKind::Field { base, .. } => {
-                let is_output = self
-                    .name_of(*base, at)
-                    .is_some_and(|name| self.block_of(name).is_some());
-                self.note(
-                    if is_output {
-                        "function-block-output"
-                    } else {
-                        "field"
-                    },
-                    span,
-                );
+                let base = self.name_of(*base, at);
+                let key = match base.and_then(|name| self.qualifier(name)) {
+                    Some(key) => key,
+                    None if base.is_some_and(|name| self.block_of(name).is_some()) => "function-block-output",
+                    None => "field",
+                };
+                self.note(key, span);
             }
             ExpressionKind::Index { .. } => self.note("array-element", span),
             ExpressionKind::Dereference { .. } => self.note("dereference", span),
@@ -55,17 +46,12 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             ExpressionKind::Bit { .. } | ExpressionKind::Part { .. } => {}
             ExpressionKind::Call { callee, arguments } => self.call(*callee, arguments, expression, at),
-            ExpressionKind::Unary { operator, .. } => self.note(
-                match operator {
-                    UnaryOperator::Negate => match self.negates_literal(expression, at) {
-                        true => return,
-                        false => "negation",
-                    },
-                    UnaryOperator::Plus => "unary-plus",
-                    UnaryOperator::Not => "not",
-                },
-                span,
-            ),
+            ExpressionKind::Unary { operator, .. } => match operator {
+                UnaryOperator::Negate if self.negates_literal(expression, at) => {}
+                UnaryOperator::Negate => self.note("negation", span),
+                UnaryOperator::Plus => self.note("unary-plus", span),
+                UnaryOperator::Not => self.note("not", span),
+            },
             ExpressionKind::Binary {
                 operator,
                 left,
@@ -74,15 +60,11 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 let adds = matches!(operator, BinaryOperator::Add | BinaryOperator::Subtract);
                 let is_pointer =
                     |id: &ExpressionId| self.name_of(*id, at).is_some_and(|name| self.is_pointer(name));
-                let is_address = adds && (is_pointer(left) || is_pointer(right));
-                self.note(
-                    if is_address {
-                        "pointer-arithmetic"
-                    } else {
-                        operator_key(*operator)
-                    },
-                    span,
-                );
+                let key = match adds && (is_pointer(left) || is_pointer(right)) {
+                    true => "pointer-arithmetic",
+                    false => operator_key(*operator),
+                };
+                self.note(key, span);
             }
             ExpressionKind::Parenthesized(_) => {
                 let is_nested =
@@ -121,11 +103,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
 
     /// Returns whether a name is only that of a property.
     fn is_property(&self, name: &str) -> bool {
-        let declared = self.declared(name);
-        matches!(
-            declared,
-            Some(DeclaredKind::Pou(PouKind::Getter | PouKind::Setter))
-        )
+        let parts = [PouKind::Getter, PouKind::Setter].map(DeclaredKind::Pou);
+        self.declared(name).is_some_and(|kind| parts.contains(&kind))
     }
 
     /// Notes a name that stands for the instance whose code is running; says whether it is one.
@@ -270,13 +249,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         if let Some(ty) = ty {
             self.note_type(ty, span);
             let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
+            let is_duration = literal.kind == LiteralKind::Duration;
             self.note_if(is_number, "typed-literal", span);
             self.note_if(is_number && is_signed, "typed-literal-sign", span);
-            self.note_if(
-                literal.kind == LiteralKind::Duration && is_signed,
-                "duration-sign",
-                span,
-            );
+            self.note_if(is_duration && is_signed, "duration-sign", span);
         }
     }
 
