@@ -9,7 +9,7 @@ use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
-use super::types::TypeId;
+use super::types::{TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::Instruction;
 use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
@@ -136,6 +136,10 @@ impl Lowering<'_> {
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.
     pub(super) fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
+        let is_interface = matches!(self.model.types.kind(to), TypeKind::Interface(_));
+        if is_interface && self.refuses_reference(id, Inferred::Known(value.ty), to) {
+            return LoweredValue::ERROR;
+        }
         if self.refuses_derived(id, Inferred::Known(value.ty), to) {
             self.report_derived(id, Inferred::Known(value.ty), to, ValueContext::Operand);
             return LoweredValue::ERROR;

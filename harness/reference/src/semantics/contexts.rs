@@ -94,7 +94,8 @@ pub(super) fn fit(
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target => true,
         Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
-            types.derives(ty, target)
+            // NULL refers to no instance.
+            types.derives(ty, target) || ty == TypeId::ADDRESS
         }
         Inferred::Known(ty) if types.pointer(ty).or(types.pointer(target)).is_some() => {
             fits_pointer(ty, target, types, dialect)

@@ -11,7 +11,7 @@ use super::lowering::{LoweredValue, Lowering};
 use super::model::{Storage, TopLevelName};
 use super::parameters::single_argument;
 use super::pointer_types::fits_pointer;
-use super::types::{PointerType, TypeId, TypeMember};
+use super::types::{PointerType, TypeId, TypeKind, TypeMember};
 use crate::addresses::{AddressMap, MemoryObject};
 use crate::instruction::{Address, ArithmeticOperator, ComparisonOperator, Instruction, Label};
 use stickler_syntax::source::Span;
@@ -279,12 +279,17 @@ impl<'m> Lowering<'m> {
         self.finish_store(place, span);
     }
 
-    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference is; gives whether it was.
+    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference and no interface is; gives
+    /// whether it was.
     pub(super) fn refuses_reference(&mut self, id: ExpressionId, inferred: Inferred, to: TypeId) -> bool {
         let (types, dialect) = (&self.model.types, self.model.source.dialect);
-        let (Inferred::Known(from), false) = (inferred, self.is_free()) else {
+        let Inferred::Known(from) = inferred else {
             return false;
         };
+        let is_interface = matches!(types.kind(to), TypeKind::Interface(_));
+        if self.is_free() && !is_interface {
+            return false;
+        }
         let operand = self.address_operand(id);
         let (code, message) = match (types.pointer(from), types.pointer(to), operand) {
             (Some(_), Some(pointer), Some(operand)) => {
@@ -300,7 +305,11 @@ impl<'m> Lowering<'m> {
                 let message = format!("{} is no {}", types.name(from), types.name(to));
                 (Code::ReferenceTypeMismatch, message)
             }
-            (Some(_), None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR => {
+            (Some(_), None, Some(_)) if from == TypeId::ADDRESS && is_interface => {
+                let message = format!("the address of a variable is no {}", types.name(to));
+                (Code::ReferenceTypeMismatch, message)
+            }
+            (Some(_), None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR && !is_interface => {
                 let message = "only a reference or pointer can be NULL".to_owned();
                 (Code::NullRequiresReferenceType, message)
             }
