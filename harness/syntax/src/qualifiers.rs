@@ -3,7 +3,7 @@
 //! Basis: codesys-pages: _cds_rules, _cds_operator_namespace_enum.
 
 use crate::names::{DeclaredKind, DeclaredName, declared};
-use crate::tree::{CaseFolded, Declaration, ExpressionId, ExpressionKind, Name, SourceUnit};
+use crate::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, SourceUnit};
 use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind, own_instance};
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Dialect;
@@ -89,19 +89,11 @@ impl<'s> Known<'s> {
                 .or_default()
                 .push(Declared { kind, within });
         }
-        let types = unit
-            .declarations
-            .iter()
-            .filter_map(|declaration| match declaration {
-                Declaration::Types(types) => Some(types),
-                _ => None,
-            });
-        let is_enumeration =
-            |kind: &TypeSpecificationKind<'_>| matches!(kind, TypeSpecificationKind::Enumeration { .. });
-        let enumerations = types
-            .flatten()
-            .filter(|declared| is_enumeration(&declared.specification.kind))
-            .map(|declared| CaseFolded(declared.name.text));
+        let enumerations = unit.types().filter_map(|declared| {
+            let kind = &declared.specification.kind;
+            matches!(kind, TypeSpecificationKind::Enumeration { .. })
+                .then_some(CaseFolded(declared.name.text))
+        });
         Known {
             names,
             enumerations: enumerations.collect(),

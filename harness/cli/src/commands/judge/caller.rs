@@ -2,7 +2,7 @@
 
 use anyhow::bail;
 use std::fmt::Write;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
+use stickler_syntax::tree::{Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
 use stickler_types::Dialect;
 
 /// The instance of the function block in the program that calls it.
@@ -51,7 +51,7 @@ impl Judged {
     /// No unit of that name, or nothing to call.
     pub(super) fn of(text: &str, dialect: &Dialect, named: Option<&str>) -> anyhow::Result<Judged> {
         let (unit, _) = stickler_syntax::parse(text, dialect);
-        let pous = || pous(&unit);
+        let pous = || unit.pous();
         let last = |kind: PouKind| pous().filter(|pou| pou.kind == kind).last();
         let called = match named {
             Some(name) => {
@@ -94,19 +94,10 @@ impl Judged {
     }
 }
 
-fn pous<'t, 's>(unit: &'t SourceUnit<'s>) -> impl Iterator<Item = &'t Pou<'s>> {
-    unit.declarations
-        .iter()
-        .filter_map(|declaration| match declaration {
-            Declaration::Pou(pou) => Some(pou),
-            _ => None,
-        })
-}
-
 /// Returns a text whose programs are blanks, so that only the caller runs.
 fn without_programs(text: &str, unit: &SourceUnit<'_>) -> String {
     let mut text = text.to_owned();
-    for pou in pous(unit).filter(|pou| pou.kind == PouKind::Program) {
+    for pou in unit.pous().filter(|pou| pou.kind == PouKind::Program) {
         let range = pou.span.start as usize..pou.span.end as usize;
         let blank: String = text[range.clone()]
             .chars()
