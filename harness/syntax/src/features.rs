@@ -315,7 +315,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         if let Some(location) = &group.location {
             self.note("located-variable", location.span);
         }
-        let is_field = at.section.is_none();
+        let is_field = at.is_field();
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
         if let Some(initializer) = initializer.filter(|_| is_field || is_plain) {

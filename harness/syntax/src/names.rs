@@ -188,10 +188,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
     }
 
     fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
-        let is_field = at
-            .section
-            .is_none_or(|section| !section.groups.iter().any(|one| std::ptr::eq(one, group)));
-        let (kind, inside) = match at.section.filter(|_| !is_field) {
+        let (kind, inside) = match at.section.filter(|_| !at.is_field()) {
             Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
             None => (DeclaredKind::Field, None),
         };

@@ -69,9 +69,8 @@ impl<'u, 's: 'u> Visitor<'u, 's> for Names<'u, 's> {
     }
 
     fn variables(&mut self, group: &'u VariableGroup<'s>, at: &Context<'u, 's>) {
-        let is_field = at.section.map(|section| section.span) != at.outer;
         // A field lies in the structure around it, a variable in its POU; global variables have none.
-        let around = match is_field {
+        let around = match at.is_field() {
             true => at.outer,
             false => at.pou.map(|pou| pou.span),
         };
