@@ -9,7 +9,7 @@ use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
-use super::types::{TypeId, TypeKind};
+use super::types::TypeId;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::Instruction;
 use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
@@ -115,12 +115,8 @@ impl Lowering<'_> {
             && let Some(ty) = folds(operation.action, right)
         {
             return match combine(link.operator, left, right) {
-                Err((Code::ConstantExpressionDivisionByZero, message)) => {
-                    self.report(
-                        Code::ConstantExpressionDivisionByZero,
-                        self.span(link.node),
-                        message,
-                    );
+                Err((code @ Code::ConstantExpressionDivisionByZero, message)) => {
+                    self.report(code, self.span(link.node), message);
                     LoweredValue::ERROR
                 }
                 result => self.folded(link.node, start, ty, result.ok()),
@@ -136,8 +132,7 @@ impl Lowering<'_> {
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.
     pub(super) fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
-        let is_interface = matches!(self.model.types.kind(to), TypeKind::Interface(_));
-        if is_interface && self.refuses_reference(id, Inferred::Known(value.ty), to) {
+        if self.model.types.is_interface(to) && self.refuses_reference(id, Inferred::Known(value.ty), to) {
             return LoweredValue::ERROR;
         }
         if self.refuses_derived(id, Inferred::Known(value.ty), to) {

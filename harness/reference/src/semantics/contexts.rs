@@ -93,7 +93,7 @@ pub(super) fn fit(
         Inferred::Error | Inferred::Pending => return Fit::Silent,
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target => true,
-        Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
+        Inferred::Known(ty) if types.is_interface(target) => {
             // NULL refers to no instance.
             types.derives(ty, target) || ty == TypeId::ADDRESS
         }

@@ -4,7 +4,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::misfit::describe;
-use super::types::{TypeId, TypeKind};
+use super::types::TypeId;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind};
 
 impl Lowering<'_> {
@@ -56,10 +56,7 @@ impl Lowering<'_> {
             }
             ExpressionKind::Index { base, .. } => {
                 let ty = self.known_type(base)?;
-                match self.model.types.kind(ty) {
-                    TypeKind::Array(shape) => Some(shape.element),
-                    _ => None,
-                }
+                Some(self.model.types.array(ty)?.element)
             }
             ExpressionKind::Dereference { base } => self.target_type(base),
             ExpressionKind::Call { callee, .. } => self.declared_result(callee),
@@ -67,7 +64,8 @@ impl Lowering<'_> {
         }
     }
 
-    fn known_type(&mut self, id: ExpressionId) -> Option<TypeId> {
+    /// Returns the type of an expression that has one by itself.
+    pub(super) fn known_type(&mut self, id: ExpressionId) -> Option<TypeId> {
         match self.infer(id) {
             Inferred::Known(ty) => Some(ty),
             _ => None,

@@ -91,12 +91,7 @@ impl<'m> Lowering<'m> {
         if value.ty == TypeId::ERROR {
             return value;
         }
-        let result = VariablePlace {
-            location: Location::Absolute(self.temporary_of(value.ty, span)),
-            ty: value.ty,
-            part: None,
-            constant: false,
-        };
+        let result = VariablePlace::new(Location::Absolute(self.temporary_of(value.ty, span)), value.ty);
         self.store(result, span);
         let end = self.emitter.jump();
         self.emitter.land(skip);

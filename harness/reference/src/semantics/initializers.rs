@@ -41,12 +41,7 @@ impl<'m> Lowering<'m> {
         }
         match (&initializer.kind, self.model.types.kind(ty)) {
             (InitializerKind::Expression(id), _) => {
-                let place = VariablePlace {
-                    location,
-                    ty,
-                    part: None,
-                    constant: false,
-                };
+                let place = VariablePlace::new(location, ty);
                 self.begin_store(place);
                 self.coerce(*id, ty, ValueContext::Initializer);
                 self.finish_store(place, initializer.span);
@@ -81,12 +76,7 @@ impl<'m> Lowering<'m> {
         match self.model.types.extent(ty).default {
             DefaultValue::Zero => {}
             DefaultValue::Constant(raw) => {
-                let place = VariablePlace {
-                    location,
-                    ty,
-                    part: None,
-                    constant: false,
-                };
+                let place = VariablePlace::new(location, ty);
                 self.begin_store(place);
                 self.emit(Instruction::Push(raw));
                 self.finish_store(place, Span::default());
@@ -206,11 +196,9 @@ impl<'m> Lowering<'m> {
 
     /// Returns whether a list stands for a row of an array with several dimensions.
     fn is_row(&self, value: &Initializer<'_>, element: TypeId, lengths: &[u32]) -> bool {
-        matches!(value.kind, InitializerKind::Array(_)) && !self.is_array(element) && lengths.len() > 1
-    }
-
-    fn is_array(&self, ty: TypeId) -> bool {
-        matches!(self.model.types.kind(ty), TypeKind::Array(_))
+        matches!(value.kind, InitializerKind::Array(_))
+            && self.model.types.array(element).is_none()
+            && lengths.len() > 1
     }
 
     /// Returns how often an element is repeated.
@@ -220,11 +208,8 @@ impl<'m> Lowering<'m> {
             return 0;
         };
         u32::try_from(number).unwrap_or_else(|_| {
-            self.report(
-                Code::ConstantOverflow,
-                self.span(id),
-                format!("{number} is no number of repetitions"),
-            );
+            let message = format!("{number} is no number of repetitions");
+            self.report(Code::ConstantOverflow, self.span(id), message);
             0
         })
     }
@@ -285,7 +270,7 @@ impl<'m> Lowering<'m> {
                 }
             }
             DefaultInitialValue::Elements(ty) => {
-                let TypeKind::Array(shape) = model.types.kind(ty) else {
+                let Some(shape) = model.types.array(ty) else {
                     return;
                 };
                 self.default_value(start, shape.element);

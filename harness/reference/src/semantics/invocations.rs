@@ -120,12 +120,7 @@ impl<'m> Lowering<'m> {
             (Storage::AbsolutePointer(cell), _) => (Location::Absolute(cell), ADDRESS),
             (storage, _) => (Location::of(storage), variable.ty),
         };
-        VariablePlace {
-            location,
-            ty,
-            part: None,
-            constant: false,
-        }
+        VariablePlace::new(location, ty)
     }
 
     /// Evaluates the arguments and leaves them on the stack; gives the places where they belong.
@@ -160,11 +155,8 @@ impl<'m> Lowering<'m> {
         if !self.is_variable(argument) {
             let value = self.value(argument, None);
             if value.ty != TypeId::ERROR || self.infer(argument) == Inferred::Nothing {
-                self.report(
-                    Code::FunctionCallInOutArgNotVariable,
-                    span,
-                    "VAR_IN_OUT needs a variable",
-                );
+                let message = "VAR_IN_OUT needs a variable";
+                self.report(Code::FunctionCallInOutArgNotVariable, span, message);
             }
             return;
         }
@@ -186,11 +178,8 @@ impl<'m> Lowering<'m> {
             let message = format!("VAR_IN_OUT needs a variable of type {needed}, not {given}");
             self.report(Code::FunctionCallInOutArgTypeMismatch, span, message);
         } else if place.constant && !parameter.constant {
-            self.report(
-                Code::InOutArgNotWritable,
-                span,
-                "VAR_IN_OUT needs a variable that can be written",
-            );
+            let message = "VAR_IN_OUT needs a variable that can be written";
+            self.report(Code::InOutArgNotWritable, span, message);
         }
         let place = self.located(place);
         self.push_address(place.location);

@@ -44,13 +44,21 @@ pub(super) struct VariablePlace {
 }
 
 impl VariablePlace {
-    /// A whole variable.
+    /// Returns all of what lies at a location, and can be written.
+    pub(super) const fn new(location: Location, ty: TypeId) -> VariablePlace {
+        VariablePlace {
+            location,
+            ty,
+            part: None,
+            constant: false,
+        }
+    }
+
+    /// Returns the place of a whole variable.
     pub(super) fn of(variable: &DeclaredVariable<'_>) -> VariablePlace {
         VariablePlace {
-            location: Location::of(variable.storage),
-            ty: variable.ty,
-            part: None,
             constant: variable.constant,
+            ..VariablePlace::new(Location::of(variable.storage), variable.ty)
         }
     }
 

@@ -12,7 +12,7 @@ use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::model::{Member, PouEntry};
-use super::types::{TypeId, TypeKind};
+use super::types::TypeId;
 use crate::instruction::{Instruction, MachineProgram};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Access, ExpressionId, ExpressionKind, PouKind, VariableKind, own_instance};
@@ -85,12 +85,7 @@ impl<'m> Lowering<'m> {
     /// The place of the instance whose code is running.
     pub(super) fn own_place(&self, own: OwnInstance) -> Option<VariablePlace> {
         let ty = self.model.pous[own.pou as usize].ty;
-        (ty != TypeId::ERROR).then_some(VariablePlace {
-            location: Location::Instance(0),
-            ty,
-            part: None,
-            constant: false,
-        })
+        (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Instance(0), ty))
     }
 
     /// Finds the method or property that an expression names.
@@ -112,14 +107,8 @@ impl<'m> Lowering<'m> {
                     let member = self.model.member(own.pou, field.text)?;
                     return Some(UsedMember { receiver, member });
                 }
-                let Inferred::Known(ty) = self.infer(base) else {
-                    return None;
-                };
-                let (TypeKind::FunctionBlock(block) | TypeKind::Interface(block)) = self.model.types.kind(ty)
-                else {
-                    return None;
-                };
-                let member = self.model.member(block.pou, field.text)?;
+                let ty = self.known_type(base)?;
+                let member = self.model.member(self.model.types.object(ty)?.pou, field.text)?;
                 let receiver = Receiver::Instance(base);
                 let hides = self.model.types.element(ty, field.text).is_some();
                 (!hides).then_some(UsedMember { receiver, member })
@@ -166,10 +155,8 @@ impl<'m> Lowering<'m> {
             return None;
         }
         Some(VariablePlace {
-            location: Location::Stack,
-            ty: value.ty,
-            part: None,
             constant: true,
+            ..VariablePlace::new(Location::Stack, value.ty)
         })
     }
 

@@ -9,8 +9,8 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup,
-    VariableKind,
+    Access, CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableBlock,
+    VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
@@ -193,6 +193,37 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) repeated: bool,
     /// The meaning of its name in a constant expression.
     pub(super) value: Constant,
+}
+
+impl<'u> DeclaredVariable<'u> {
+    /// Returns a variable without an initial value, which has no location yet.
+    pub(super) fn new(name: Name<'u>, ty: TypeId, kind: VariableKind) -> DeclaredVariable<'u> {
+        DeclaredVariable {
+            name,
+            ty,
+            kind,
+            constant: false,
+            is_public: false,
+            storage: Storage::Absolute(0),
+            initializer: None,
+            repeated: false,
+            value: Constant::Variable,
+        }
+    }
+
+    /// Adds what the section and the declaration of a variable say of it.
+    pub(super) fn declared(self, block: &VariableBlock<'u>, group: &'u VariableGroup<'u>) -> Self {
+        DeclaredVariable {
+            constant: block.constant,
+            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
+            initializer: group.initializer.as_ref(),
+            repeated: group
+                .names
+                .first()
+                .is_none_or(|first| first.span != self.name.span),
+            ..self
+        }
+    }
 }
 
 /// The location of a variable.

@@ -126,7 +126,7 @@ impl TypeRules<'_> {
     /// Basis: iec-61131-3: third edition, 6.6.6; codesys-pages: _cds_implementing_interface.
     fn addresses(self, left: Inferred, right: Inferred) -> Option<(TypeId, TypeId)> {
         let interface = |value| match value {
-            Inferred::Known(ty) => matches!(self.types.kind(ty), TypeKind::Interface(_)).then_some(ty),
+            Inferred::Known(ty) => self.types.is_interface(ty).then_some(ty),
             _ => None,
         };
         let beside = |value, other| match value {

@@ -88,11 +88,8 @@ impl<'m> Lowering<'m> {
         } else {
             format!("is not declared{}", self.similar_variable(name.text))
         };
-        self.report(
-            Code::VariableUndefined,
-            name.span,
-            format!("`{}` {what}", name.text),
-        );
+        let message = format!("`{}` {what}", name.text);
+        self.report(Code::VariableUndefined, name.span, message);
         None
     }
 
@@ -113,10 +110,8 @@ impl<'m> Lowering<'m> {
         let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
-            location,
-            ty: member.ty,
-            part: None,
             constant,
+            ..VariablePlace::new(location, member.ty)
         })
     }
 
@@ -133,10 +128,7 @@ impl<'m> Lowering<'m> {
         {
             return self.pointer_element(place, pointer, subscripts[0]);
         }
-        let shape = place.and_then(|place| match self.model.types.kind(place.content()) {
-            TypeKind::Array(shape) => Some(&**shape),
-            _ => None,
-        });
+        let shape = place.and_then(|place| self.model.types.array(place.content()));
         let (Some(place), Some(shape)) = (place, shape) else {
             for &subscript in subscripts {
                 self.value(subscript, None);
@@ -179,10 +171,8 @@ impl<'m> Lowering<'m> {
         }
         let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
         known.then_some(VariablePlace {
-            location,
-            ty: shape.element,
-            part: None,
             constant: place.constant,
+            ..VariablePlace::new(location, shape.element)
         })
     }
 
@@ -272,11 +262,8 @@ impl<'m> Lowering<'m> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);
             if value.ty != TypeId::ERROR {
-                self.report(
-                    Code::BitAccessTypeInvalid,
-                    self.span(base),
-                    "only a variable has bits",
-                );
+                let message = "only a variable has bits";
+                self.report(Code::BitAccessTypeInvalid, self.span(base), message);
             }
             return None;
         }

@@ -11,7 +11,7 @@ use super::lowering::{LoweredValue, Lowering};
 use super::model::{Storage, TopLevelName};
 use super::parameters::single_argument;
 use super::pointer_types::fits_pointer;
-use super::types::{PointerType, TypeId, TypeKind, TypeMember};
+use super::types::{PointerType, TypeId, TypeMember};
 use crate::addresses::{AddressMap, MemoryObject};
 use crate::instruction::{Address, ArithmeticOperator, ComparisonOperator, Instruction, Label};
 use stickler_syntax::source::Span;
@@ -88,10 +88,8 @@ impl<'m> Lowering<'m> {
 
     /// Returns the pointer type of an expression, if it is one of a known target.
     fn pointer_of(&mut self, id: ExpressionId) -> Option<PointerType> {
-        match self.infer(id) {
-            Inferred::Known(ty) if ty != TypeId::ADDRESS => self.model.types.pointer(ty),
-            _ => None,
-        }
+        let known = self.known_type(id).filter(|&ty| ty != TypeId::ADDRESS)?;
+        self.model.types.pointer(known)
     }
 
     /// Infers the type of `base^`.
@@ -176,11 +174,8 @@ impl<'m> Lowering<'m> {
         if !self.names_a_place(id) {
             let value = self.value(id, None);
             if value.ty != TypeId::ERROR || self.infer(id) == Inferred::Nothing {
-                self.report(
-                    Code::RefOperandNotVariable,
-                    span,
-                    "only a variable has an address",
-                );
+                let message = "only a variable has an address";
+                self.report(Code::RefOperandNotVariable, span, message);
             }
             return None;
         }
@@ -198,11 +193,8 @@ impl<'m> Lowering<'m> {
         }
         let place = self.place(id)?;
         if place.part.is_some() {
-            self.report(
-                Code::RefOperandNotVariable,
-                span,
-                "a part of the bits of a variable has no address",
-            );
+            let message = "a part of the bits of a variable has no address";
+            self.report(Code::RefOperandNotVariable, span, message);
             return None;
         }
         if place.location != Location::Bytes {
@@ -286,7 +278,7 @@ impl<'m> Lowering<'m> {
         let Inferred::Known(from) = inferred else {
             return false;
         };
-        let is_interface = matches!(types.kind(to), TypeKind::Interface(_));
+        let is_interface = types.is_interface(to);
         if self.is_free() && !is_interface {
             return false;
         }
@@ -495,10 +487,5 @@ impl<'m> Lowering<'m> {
 
 /// The place behind an address in bytes that is on the stack; `None` where its type is not known.
 fn behind(ty: TypeId) -> Option<VariablePlace> {
-    (ty != TypeId::ERROR).then_some(VariablePlace {
-        location: Location::Bytes,
-        ty,
-        part: None,
-        constant: false,
-    })
+    (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Bytes, ty))
 }

@@ -331,6 +331,27 @@ impl TypeTable {
         }
     }
 
+    /// Returns a type as a function block, class or interface, if it is one.
+    pub(super) fn object(&self, id: TypeId) -> Option<&Structure> {
+        match self.kind(id) {
+            TypeKind::FunctionBlock(object) | TypeKind::Interface(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// Returns whether a type is an interface.
+    pub(super) fn is_interface(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Interface(_))
+    }
+
+    /// Returns a type as an array, if it is one.
+    pub(super) fn array(&self, id: TypeId) -> Option<&ArrayShape> {
+        match self.kind(id) {
+            TypeKind::Array(shape) => Some(shape),
+            _ => None,
+        }
+    }
+
     /// Returns a type as a reference or pointer, if it is one.
     pub(super) fn pointer(&self, id: TypeId) -> Option<PointerType> {
         match self.kind(id) {
