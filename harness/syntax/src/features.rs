@@ -11,9 +11,9 @@ use crate::names::{DeclaredKind, declared};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Modifiers, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind,
-    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, CaseLabel, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name,
+    PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
@@ -168,10 +168,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     fn configurations(&mut self, unit: &SourceUnit<'_>) {
-        for declaration in &unit.declarations {
-            let Declaration::Configuration(configuration) = declaration else {
-                continue;
-            };
+        for configuration in unit.configurations() {
             self.note("configuration", configuration.span);
             for resource in &configuration.resources {
                 if let Some((name, _)) = &resource.header {
@@ -265,16 +262,10 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             PouKind::Method => self.note("method", span),
             PouKind::Getter | PouKind::Setter => self.note("property", span),
         }
-        let Modifiers {
-            access,
-            is_abstract,
-            is_final,
-            is_override,
-        } = pou.modifiers;
-        self.note_if(access.is_some(), "access-specifier", span);
-        self.note_if(is_abstract, "abstract", span);
-        self.note_if(is_final, "final", span);
-        self.note_if(is_override, "override", span);
+        self.note_if(pou.modifiers.access.is_some(), "access-specifier", span);
+        for word in pou.modifiers.words() {
+            self.note(word.to_ascii_lowercase(), span);
+        }
         self.note_if(!pou.extends.is_empty(), "extends", span);
         self.note_if(!pou.implements.is_empty(), "implements", span);
     }

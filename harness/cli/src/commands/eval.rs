@@ -7,7 +7,7 @@ use crate::{output, snippet};
 use anyhow::{bail, ensure};
 use std::io::{self, Write};
 use stickler_reference::Limits;
-use stickler_syntax::tree::{Declaration, PouKind};
+use stickler_syntax::tree::PouKind;
 use stickler_types::{
     ClockSetting, Diagnostic, Dialect, DialectName, Observation, Outcome, RunRequest, Value,
 };
@@ -93,10 +93,7 @@ fn running(text: &str, name: &str, dialect: DialectName) -> anyhow::Result<Strin
     let mut running = String::with_capacity(text.len());
     let blank = |text: &str| text.replace(|character| character != '\n', " ");
     let mut at = 0;
-    for declaration in &unit.declarations {
-        let Declaration::Configuration(configuration) = declaration else {
-            continue;
-        };
+    for configuration in unit.configurations() {
         running.push_str(&text[at..configuration.span.start as usize]);
         at = configuration.span.start as usize;
         for globals in &configuration.globals {

@@ -12,7 +12,7 @@ use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::Instruction;
-use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionId};
 use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType, MomentUnits};
 
@@ -32,12 +32,7 @@ impl Lowering<'_> {
         self.infer(id);
         let mut links = Vec::new();
         let (mut at, mut wanted) = (id, wanted);
-        while let ExpressionKind::Binary {
-            operator,
-            left,
-            right,
-        } = self.expression(at).kind
-        {
+        while let Some((operator, left, right)) = self.expression(at).binary() {
             let operands = (self.infer(left), self.infer(right));
             let operation = match self.operation(operator, operands, wanted) {
                 OperatorSignature::Defined(operation) => Some(operation),

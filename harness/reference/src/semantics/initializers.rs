@@ -10,7 +10,7 @@ use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::instruction::{Instruction, RoutineId};
 use std::ops::Range;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
+use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {
@@ -220,12 +220,8 @@ impl<'m> Lowering<'m> {
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let member = self
-                .model
-                .types
-                .member(ty, name.text)
-                .filter(|member| !matches!(member.kind, VariableKind::InOut | VariableKind::External));
-            let Some(member) = member else {
+            let member = self.model.types.member(ty, name.text);
+            let Some(member) = member.filter(|member| member.kind.is_held()) else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
                 self.report(Code::VariableUndefined, name.span, message);
                 self.lower_initializer(value);

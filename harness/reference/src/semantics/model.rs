@@ -101,8 +101,6 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
-    /// The VAR_IN_OUT among them.
-    pub(super) in_outs: Vec<u32>,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.

@@ -143,8 +143,7 @@ fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
             let instance = pou.members.iter().flat_map(|member| &member.blocks);
             let instance = instance.filter(|block| block.kind == VariableKind::Instance);
             let held = pou.blocks.iter().chain(instance);
-            let held =
-                held.filter(|block| !matches!(block.kind, VariableKind::InOut | VariableKind::External));
+            let held = held.filter(|block| block.kind.is_held());
             held.flat_map(|block| &block.groups)
                 .for_each(|group| needs.specification(&group.specification));
         }

@@ -256,26 +256,26 @@ impl<'m> Lowering<'m> {
     /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.
     fn bound_selector(&mut self, inputs: usize) {
         if self.model.source.dialect.mux_outside_takes_last {
-            self.emit(Instruction::Push(inputs as u64 - 1));
             // A negative selector counts as larger than all.
-            self.emit(Instruction::Standard {
-                function: StandardFunction::Min,
-                of: ElementaryType::Ulint,
-                count: 2,
-            });
+            self.bound(inputs as u64 - 1);
         }
     }
 
     /// Replaces a length or a position in a text, which is on the stack, by the greatest LINT where it is a greater ULINT.
     fn bound_count(&mut self, id: ExpressionId) {
         if self.infer(id).elementary() == Some(ElementaryType::Ulint) {
-            self.emit(Instruction::Push(i64::MAX.cast_unsigned()));
-            self.emit(Instruction::Standard {
-                function: StandardFunction::Min,
-                of: ElementaryType::Ulint,
-                count: 2,
-            });
+            self.bound(i64::MAX.cast_unsigned());
         }
+    }
+
+    /// Replaces a ULINT, which is on the stack, by the greatest one that is allowed where it is greater.
+    fn bound(&mut self, greatest: u64) {
+        self.emit(Instruction::Push(greatest));
+        self.emit(Instruction::Standard {
+            function: StandardFunction::Min,
+            of: ElementaryType::Ulint,
+            count: 2,
+        });
     }
 
     /// Keeps of the count of a shift, which is on the stack, the bits that a dialect looks at.

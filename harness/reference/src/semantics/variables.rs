@@ -80,7 +80,7 @@ impl<'u> Declarer<'u, '_> {
         group: &VariableGroup<'u>,
         ty: TypeId,
     ) {
-        let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External);
+        let held = block.kind.is_held();
         if let (false, Some(initializer)) = (held, &group.initializer) {
             let message = "what stands for another variable has no initial value of its own";
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
@@ -136,9 +136,6 @@ impl<'u> Declarer<'u, '_> {
         };
         if matches!(kind, VariableKind::Input | VariableKind::InOut) {
             self.model.pous[pou].parameters.push(index);
-        }
-        if kind == VariableKind::InOut {
-            self.model.pous[pou].in_outs.push(index);
         }
         let fixed = block.constant && matches!(block.kind, VariableKind::Local | VariableKind::Temporary);
         let value = match kind {

@@ -51,16 +51,16 @@ impl<'s> Parser<'s, '_> {
     fn modifier(&mut self, modifiers: &mut Modifiers) -> bool {
         let span = self.token().span;
         let before = *modifiers;
-        let (is_new, feature) = if let Some(access) = self.access() {
-            (modifiers.access.replace(access).is_none(), "access-specifier")
-        } else if self.at_word("ABSTRACT") {
-            (!std::mem::replace(&mut modifiers.is_abstract, true), "abstract")
-        } else if self.at_word("FINAL") {
-            (!std::mem::replace(&mut modifiers.is_final, true), "final")
-        } else if self.at_word("OVERRIDE") {
-            (!std::mem::replace(&mut modifiers.is_override, true), "override")
-        } else {
-            return false;
+        let flags = [
+            (&mut modifiers.is_abstract, "abstract"),
+            (&mut modifiers.is_final, "final"),
+            (&mut modifiers.is_override, "override"),
+        ];
+        let flag = flags.into_iter().find(|(_, word)| self.at_word(word));
+        let (is_new, feature) = match (self.access(), flag) {
+            (Some(access), _) => (modifiers.access.replace(access).is_none(), "access-specifier"),
+            (None, Some((flag, feature))) => (!std::mem::replace(flag, true), feature),
+            (None, None) => return false,
         };
         let word = self.word();
         self.bump();

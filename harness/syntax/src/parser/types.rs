@@ -138,10 +138,9 @@ impl<'s> Parser<'s, '_> {
         let span = start.to(self.previous_span());
         let has = self.has_pointers(form.feature(), form.words(), span);
         let target = Box::new(self.type_specification()?);
-        Ok(if has {
-            Kind::Pointer { form, target }
-        } else {
-            Kind::Error
+        Ok(match has {
+            true => Kind::Pointer { form, target },
+            false => Kind::Error,
         })
     }
 
@@ -167,19 +166,15 @@ impl<'s> Parser<'s, '_> {
         let open = std::mem::take(&mut self.open);
         let fields = self.variable_groups(TokenKind::EndStruct);
         self.open = open;
-        Ok(if overlap {
-            Kind::Error
-        } else {
-            Kind::Structure(fields)
+        Ok(match overlap {
+            true => Kind::Error,
+            false => Kind::Structure(fields),
         })
     }
 
     /// `.name.name` behind the name of a namespace.
     pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
+        self.skip_qualified_name();
         let span = start.to(self.previous_span());
         let text = span.text(self.text);
         let is_joined = text

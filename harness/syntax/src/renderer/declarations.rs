@@ -3,8 +3,8 @@
 use super::names::NameShape;
 use super::writer::Writer;
 use crate::tree::{
-    Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Modifiers,
-    Name, Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Name, Pou,
+    PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
     VariableGroup,
 };
 use rustc_hash::FxHashMap;
@@ -48,22 +48,11 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// The name of a POU with the keywords around it, and its result type.
     fn head(&mut self, pou: &'u Pou<'s>, access: Option<Access>) {
-        let Modifiers {
-            access: _,
-            is_abstract,
-            is_final,
-            is_override,
-        } = pou.modifiers;
         self.access(access);
-        for (is_written, word) in [
-            (is_abstract, " ABSTRACT"),
-            (is_final, " FINAL"),
-            (is_override, " OVERRIDE"),
-        ] {
-            self.put(if is_written { word } else { "" });
+        for word in pou.modifiers.words() {
+            self.out.extend([" ", word]);
         }
-        self.put(" ");
-        self.put(pou.name.text);
+        self.out.extend([" ", pou.name.text]);
         for (word, names) in [(" EXTENDS ", &pou.extends), (" IMPLEMENTS ", &pou.implements)] {
             self.put(if names.is_empty() { "" } else { word });
             self.list(names, |writer, name| writer.put(writer.names.pou_name(name.text)));
@@ -262,18 +251,17 @@ impl<'u, 's> Writer<'u, 's> {
     }
 
     fn configuration(&mut self, configuration: &'u Configuration<'s>) {
-        self.put("CONFIGURATION ");
-        self.put(configuration.name.text);
+        let Configuration {
+            name,
+            globals,
+            resources,
+            ..
+        } = configuration;
+        self.out.extend(["CONFIGURATION ", name.text]);
         self.end();
         self.indented(|writer| {
-            configuration
-                .globals
-                .iter()
-                .for_each(|block| writer.block_of_variables(block));
-            configuration
-                .resources
-                .iter()
-                .for_each(|resource| writer.resource(resource));
+            globals.iter().for_each(|block| writer.block_of_variables(block));
+            resources.iter().for_each(|resource| writer.resource(resource));
         });
         self.line("END_CONFIGURATION");
     }
@@ -283,10 +271,7 @@ impl<'u, 's> Writer<'u, 's> {
             return self.resource_items(resource);
         };
         self.begin();
-        self.put("RESOURCE ");
-        self.put(name.text);
-        self.put(" ON ");
-        self.put(kind.text);
+        self.out.extend(["RESOURCE ", name.text, " ON ", kind.text]);
         self.end();
         self.indented(|writer| writer.resource_items(resource));
         self.line("END_RESOURCE");
@@ -297,8 +282,7 @@ impl<'u, 's> Writer<'u, 's> {
         let tasks: FxHashMap<_, _> = names.map(|name| (CaseFolded(name), name)).collect();
         for task in &resource.tasks {
             self.begin();
-            self.put("TASK ");
-            self.put(task.name.text);
+            self.out.extend(["TASK ", task.name.text]);
             if !task.properties.is_empty() {
                 self.put("(");
                 self.list(&task.properties, |writer, (name, value)| {
@@ -313,15 +297,13 @@ impl<'u, 's> Writer<'u, 's> {
         }
         for program in &resource.programs {
             self.begin();
-            self.put("PROGRAM ");
-            self.put(program.name.text);
+            self.out.extend(["PROGRAM ", program.name.text]);
             if let Some(task) = &program.task {
-                self.put(" WITH ");
-                self.put(tasks.get(&CaseFolded(task.text)).copied().unwrap_or(task.text));
+                let declared = tasks.get(&CaseFolded(task.text)).copied();
+                self.out.extend([" WITH ", declared.unwrap_or(task.text)]);
             }
-            self.put(" : ");
-            self.put(self.names.pou_name(program.type_name.text));
-            self.put(";");
+            let program = self.names.pou_name(program.type_name.text);
+            self.out.extend([" : ", program, ";"]);
             self.end();
         }
     }

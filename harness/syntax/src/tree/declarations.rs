@@ -97,6 +97,25 @@ pub struct Modifiers {
     pub is_override: bool,
 }
 
+impl Modifiers {
+    /// Returns the keywords behind the access specifier.
+    pub fn words(self) -> impl Iterator<Item = &'static str> {
+        let Modifiers {
+            access: _,
+            is_abstract,
+            is_final,
+            is_override,
+        } = self;
+        let all = [
+            (is_abstract, "ABSTRACT"),
+            (is_final, "FINAL"),
+            (is_override, "OVERRIDE"),
+        ];
+        all.into_iter()
+            .filter_map(|(is_there, word)| is_there.then_some(word))
+    }
+}
+
 /// A program organization unit.
 #[derive(Debug)]
 pub struct Pou<'s> {
@@ -169,6 +188,12 @@ impl VariableKind {
         (VariableKind::External, TokenKind::VarExternal),
         (VariableKind::Global, TokenKind::VarGlobal),
     ];
+
+    /// Returns whether the variables of the section hold values of their own, and do not stand for others.
+    #[must_use]
+    pub const fn is_held(self) -> bool {
+        !matches!(self, VariableKind::InOut | VariableKind::External)
+    }
 
     /// Returns the spelling of the keyword that opens the section.
     #[must_use]

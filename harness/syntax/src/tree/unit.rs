@@ -1,6 +1,6 @@
 //! The whole of a text, and the names of its expressions.
 
-use super::{Declaration, Expression, Pou, TypeDeclaration};
+use super::{Configuration, Declaration, Expression, Pou, TypeDeclaration};
 
 /// The name of an expression in [`SourceUnit::expressions`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -32,12 +32,20 @@ impl<'s> SourceUnit<'s> {
             })
     }
 
+    /// Returns the configurations, in the order of the text.
+    pub fn configurations(&self) -> impl Iterator<Item = &Configuration<'s>> {
+        self.declarations.iter().filter_map(|one| match one {
+            Declaration::Configuration(configuration) => Some(configuration),
+            _ => None,
+        })
+    }
+
     /// Returns the declarations of types, in the order of the text.
     pub fn types(&self) -> impl Iterator<Item = &TypeDeclaration<'s>> {
-        let types = |declaration| match declaration {
-            &Declaration::Types(ref types) => Some(types),
+        let types = self.declarations.iter().filter_map(|one| match one {
+            Declaration::Types(types) => Some(types),
             _ => None,
-        };
-        self.declarations.iter().filter_map(types).flatten()
+        });
+        types.flatten()
     }
 }

@@ -52,7 +52,7 @@ impl Judged {
     pub(super) fn of(text: &str, dialect: &Dialect, named: Option<&str>) -> anyhow::Result<Judged> {
         let (unit, _) = stickler_syntax::parse(text, dialect);
         let pous = || unit.pous();
-        let last = |kind: PouKind| pous().filter(|pou| pou.kind == kind).last();
+        let last = |kind: PouKind| pous().rfind(|pou| pou.kind == kind);
         let called = match named {
             Some(name) => {
                 let found = pous().find(|pou| pou.name.text.eq_ignore_ascii_case(name));
