@@ -22,12 +22,7 @@ impl<'m> Lowering<'m> {
             if known != Inferred::Pending {
                 break;
             }
-            let ExpressionKind::Binary {
-                operator,
-                left,
-                right,
-            } = self.expression(at).kind
-            else {
+            let Some((operator, left, right)) = self.expression(at).binary() else {
                 let inferred = self.infer_leaf(at);
                 self.inferred[at.0 as usize] = inferred;
                 break;

@@ -228,7 +228,7 @@ impl<'m> Lowering<'m> {
         (value.ty != TypeId::ERROR).then_some(LoweredValue { ty, ..value })
     }
 
-    /// As [`counting`], in the dialect of the text.
+    /// Returns the integer type of values by which things are counted and selected, in the dialect of the text.
     pub(super) fn counting(&self, ty: ElementaryType) -> Option<ElementaryType> {
         counting(ty, self.model.source.dialect)
     }

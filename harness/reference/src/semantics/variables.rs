@@ -7,7 +7,7 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -80,19 +80,14 @@ impl<'u> Declarer<'u, '_> {
         group: &VariableGroup<'u>,
         ty: TypeId,
     ) {
-        let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External);
+        let held = block.kind.is_held();
         if let (false, Some(initializer)) = (held, &group.initializer) {
             let message = "what stands for another variable has no initial value of its own";
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
         let has_block = held && self.model.types.extent(ty).has_block;
-        if held && self.is_abstract(ty) {
-            let message = "an ABSTRACT function block has no instances";
-            self.report(
-                Code::AbstractFunctionBlockInstantiated,
-                group.specification.span,
-                message,
-            );
+        if held {
+            self.refuse_abstract(ty, group.specification.span);
         }
         if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
@@ -138,9 +133,6 @@ impl<'u> Declarer<'u, '_> {
         if matches!(kind, VariableKind::Input | VariableKind::InOut) {
             self.model.pous[pou].parameters.push(index);
         }
-        if kind == VariableKind::InOut {
-            self.model.pous[pou].in_outs.push(index);
-        }
         let fixed = block.constant
             && matches!(
                 block.kind,
@@ -153,17 +145,8 @@ impl<'u> Declarer<'u, '_> {
         };
         // Only now is the name known: a constant is not made of itself.
         self.enter_variable(pou, name, index);
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind,
-            constant: block.constant,
-            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
-            value,
-        });
+        let variable = DeclaredVariable::new(name, ty, kind).declared(block, group);
+        self.model.variables.push(DeclaredVariable { value, ..variable });
     }
 
     fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {
@@ -194,23 +177,15 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::FunctionBlockInFunction, result.span, message);
         }
         let index = saturating_u32(self.model.variables.len());
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind: [VariableKind::Output, VariableKind::Input][usize::from(is_setter)],
-            constant: false,
-            is_public: false,
-            storage: Storage::Absolute(0),
-            initializer: None,
-            repeated: false,
-            value: Constant::Variable,
-        });
         let entry = &mut self.model.pous[pou];
-        if is_setter {
+        let kind = if is_setter {
             entry.parameters.push(index);
+            VariableKind::Input
         } else {
             entry.result = Some(index);
-        }
+            VariableKind::Output
+        };
+        self.model.variables.push(DeclaredVariable::new(name, ty, kind));
         entry.scope.insert(CaseFolded(name.text), index);
     }
 

@@ -147,14 +147,7 @@ impl<'s> Parser<'s, '_> {
     /// `(inner)`.
     fn parenthesized(&mut self) -> ParseResult<ExpressionId> {
         let start = self.token().span;
-        let inner = self.nested(|parser| {
-            parser.bump();
-            parser.open += 1;
-            let inner = parser.expression()?;
-            parser.require(TokenKind::RightParen)?;
-            parser.open -= 1;
-            Ok(inner)
-        })?;
+        let inner = self.nested(|parser| parser.bracketed(TokenKind::RightParen, Self::expression))?;
         self.grow(0)?;
         Ok(self.push(
             ExpressionKind::Parenthesized(inner),

@@ -52,11 +52,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `STRING[n]`; `closer` closes what stands behind the name.
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let length = self.expression()?;
-        self.require(closer)?;
-        self.open -= 1;
+        let length = self.bracketed(closer, Self::expression)?;
         Ok(Kind::Text { name, length })
     }
 
@@ -68,11 +64,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `INT(low..high)`.
     fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let limits = self.limits()?;
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
         Ok(Kind::Subrange { base, limits })
     }
 
@@ -85,20 +77,11 @@ impl<'s> Parser<'s, '_> {
 
     /// `(RED, GREEN := 5)`.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut values = Vec::new();
-        loop {
-            let name = self.declared_name("the name of an enumerated value")?;
-            let has_value = self.eat(TokenKind::Assign);
-            let value = has_value.then(|| self.expression()).transpose()?;
-            values.push((name, value));
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let value = |parser: &mut Self| {
+            let name = parser.declared_name("the name of an enumerated value")?;
+            Ok((name, parser.optional(TokenKind::Assign, Self::expression)?))
+        };
+        let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         Ok(Kind::Enumeration { base, values })
     }
 
@@ -163,19 +146,15 @@ impl<'s> Parser<'s, '_> {
         let open = std::mem::take(&mut self.open);
         let fields = self.variable_groups(TokenKind::EndStruct);
         self.open = open;
-        Ok(if overlap {
-            Kind::Error
-        } else {
-            Kind::Structure(fields)
+        Ok(match overlap {
+            true => Kind::Error,
+            false => Kind::Structure(fields),
         })
     }
 
     /// `.name.name` behind the name of a namespace.
     pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
+        self.skip_qualified_name();
         let span = start.to(self.previous_span());
         let text = span.text(self.text);
         let is_joined = text

@@ -2,6 +2,7 @@
 
 use super::{Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
+use crate::token::TokenKind;
 
 /// A declaration at the top level of a source text.
 #[derive(PartialEq, Debug)]
@@ -43,6 +44,21 @@ impl PouKind {
     pub const fn is_member(self) -> bool {
         matches!(self, PouKind::Method | PouKind::Getter | PouKind::Setter)
     }
+
+    /// Returns the keyword that closes the POU: END_ and the word that opens it.
+    #[must_use]
+    pub const fn closer(self) -> TokenKind {
+        match self {
+            PouKind::Program => TokenKind::EndProgram,
+            PouKind::Function => TokenKind::EndFunction,
+            PouKind::FunctionBlock => TokenKind::EndFunctionBlock,
+            PouKind::Class => TokenKind::EndClass,
+            PouKind::Interface => TokenKind::EndInterface,
+            PouKind::Method => TokenKind::EndMethod,
+            PouKind::Getter => TokenKind::EndGet,
+            PouKind::Setter => TokenKind::EndSet,
+        }
+    }
 }
 
 /// An access specifier.
@@ -79,6 +95,25 @@ pub struct Modifiers {
     pub is_final: bool,
     /// OVERRIDE.
     pub is_override: bool,
+}
+
+impl Modifiers {
+    /// Returns the keywords behind the access specifier.
+    pub fn words(self) -> impl Iterator<Item = &'static str> {
+        let Modifiers {
+            access: _,
+            is_abstract,
+            is_final,
+            is_override,
+        } = self;
+        let all = [
+            (is_abstract, "ABSTRACT"),
+            (is_final, "FINAL"),
+            (is_override, "OVERRIDE"),
+        ];
+        all.into_iter()
+            .filter_map(|(is_there, word)| is_there.then_some(word))
+    }
 }
 
 /// A program organization unit.
@@ -143,6 +178,35 @@ pub enum VariableKind {
     Global,
     /// VAR_CONFIG.
     Configured,
+}
+
+impl VariableKind {
+    /// The sections and the keywords that open them.
+    pub const ALL: [(VariableKind, TokenKind); 10] = [
+        (VariableKind::Local, TokenKind::Var),
+        (VariableKind::Temporary, TokenKind::VarTemp),
+        (VariableKind::Instance, TokenKind::VarInst),
+        (VariableKind::Input, TokenKind::VarInput),
+        (VariableKind::Output, TokenKind::VarOutput),
+        (VariableKind::InOut, TokenKind::VarInOut),
+        (VariableKind::External, TokenKind::VarExternal),
+        (VariableKind::Global, TokenKind::VarGlobal),
+        (VariableKind::Static, TokenKind::VarStat),
+        (VariableKind::Configured, TokenKind::VarConfig),
+    ];
+
+    /// Returns whether the variables of the section hold values of their own, and do not stand for others.
+    #[must_use]
+    pub const fn is_held(self) -> bool {
+        !matches!(self, VariableKind::InOut | VariableKind::External)
+    }
+
+    /// Returns the spelling of the keyword that opens the section.
+    #[must_use]
+    pub fn keyword(self) -> &'static str {
+        let known = VariableKind::ALL.into_iter().find(|(kind, _)| *kind == self);
+        known.map_or("VAR", |(_, keyword)| keyword.text())
+    }
 }
 
 /// One variable section, VAR … END_VAR.

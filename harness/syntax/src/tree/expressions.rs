@@ -13,6 +13,21 @@ pub struct Expression<'s> {
     pub span: Span,
 }
 
+impl Expression<'_> {
+    /// Returns the operator and both operands of an infix operator; `None` for any other expression.
+    #[must_use]
+    pub const fn binary(&self) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
+        match self.kind {
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => Some((operator, left, right)),
+            _ => None,
+        }
+    }
+}
+
 /// The forms of an expression.
 #[derive(PartialEq, Debug)]
 pub enum ExpressionKind<'s> {
