@@ -110,6 +110,25 @@ impl Outcome {
         }
     }
 
+    /// Returns whether a program and its rendered text ended alike. The lines of faults and errors may differ, since comments are
+    /// dropped; and a program that was rejected may have been rendered all the same, so that its text is rejected at whatever place.
+    #[must_use]
+    pub fn ends_like(&self, rendered: &Outcome) -> bool {
+        use Outcome::{Faulted, Rejected};
+        match (self, rendered) {
+            (Rejected { .. }, Rejected { .. }) => true,
+            (
+                Faulted { fault, values, .. },
+                Faulted {
+                    fault: again,
+                    values: same,
+                    ..
+                },
+            ) => (fault, values) == (again, same),
+            _ => self == rendered,
+        }
+    }
+
     /// Returns the same outcome with these warnings of the compiler, where it is one that has warnings.
     #[must_use]
     pub fn with_warnings(mut self, of_compiler: Vec<Diagnostic>) -> Outcome {
