@@ -290,8 +290,12 @@ fn aligned(rows: &[Vec<String>]) -> String {
     out
 }
 
-/// Writes a TOML string on one line: between double quotes, or between single ones where that spares the reader escapes.
+/// Writes a TOML string on one line: between double quotes, or between single ones where that spares the reader escapes. A text of several lines
+/// begins on a line of its own.
 fn quoted(text: &str) -> String {
+    if text.contains('\n') {
+        return format!("\"\"\"\n{text}\"\"\"");
+    }
     let needs_escapes = text.contains(['"', '\\']);
     if needs_escapes && !text.contains('\'') {
         return format!("'{text}'");
