@@ -9,6 +9,8 @@ use stickler_types::{Dialect, ElementaryType, Value};
 
 use crate::near::suggestion;
 
+/// The greatest number of scans that a program runs.
+pub(crate) const MAX_SCANS: u32 = 1_000_000;
 /// The signs that separate what is set from what is expected.
 const ARROWS: [&str; 3] = ["→", "->", "|"];
 /// The name that stands for the simulated time among the variables.
@@ -136,8 +138,9 @@ pub(crate) fn scan_table(text: &str) -> Result<Vec<ScanRow<'_>>, (u32, String)> 
 /// # Errors
 /// A message.
 pub(crate) fn scan_number(text: &str) -> Result<u32, String> {
-    let number = text.parse::<u32>().ok().filter(|&number| number >= 1);
-    number.ok_or_else(|| format!("`{text}` is no scan; scans count from 1"))
+    let number = text.parse::<u32>().ok();
+    let number = number.filter(|number| (1..=MAX_SCANS).contains(number));
+    number.ok_or_else(|| format!("`{text}` is no scan; scans count from 1 to {MAX_SCANS}"))
 }
 
 /// Splits a text at a sign that stands in no quotes.
