@@ -163,10 +163,7 @@ fn condition(expected: &ExpectedValue) -> Option<String> {
     let ExpectedValue { name, value, .. } = expected;
     match value {
         Value::Plain { ty, raw } if ty.is_real() => {
-            let number = match ty {
-                ElementaryType::Real => f64::from(f32::from_bits(u32::try_from(*raw).ok()?)),
-                _ => f64::from_bits(*raw),
-            };
+            let number = ty.real_value(*raw)?;
             if number == 0.0 && number.is_sign_negative() {
                 return None;
             }

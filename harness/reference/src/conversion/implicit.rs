@@ -240,14 +240,7 @@ fn numbers_unless_narrower(from: ElementaryType, to: ElementaryType) -> bool {
 /// bit numbers").
 fn moments(from: ElementaryType, to: ElementaryType) -> bool {
     let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
-    (is_moment(from) && (is_number(to) || is_moment(to))) || (is_number(from) && is_moment(to))
-}
-
-const fn is_moment(ty: ElementaryType) -> bool {
-    matches!(
-        ty.family(),
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
-    )
+    (from.is_moment() && (is_number(to) || to.is_moment())) || (is_number(from) && to.is_moment())
 }
 
 /// Every value of the one integer type is a value of the other.

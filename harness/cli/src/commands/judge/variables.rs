@@ -176,19 +176,8 @@ fn value(given: &Json, like: &Value) -> Option<Value> {
 /// Returns whether a value is the expected one, or as a real number at most `tolerance` away from it.
 pub(super) fn agrees(found: &Value, expected: &Value, tolerance: f64) -> bool {
     let near = |found: f64, expected: f64| found == expected || (found - expected).abs() <= tolerance;
-    match (number(found), number(expected)) {
+    match (found.real(), expected.real()) {
         (Some(found), Some(expected)) if !expected.is_nan() => near(found, expected),
         _ => found.to_string().eq_ignore_ascii_case(&expected.to_string()),
-    }
-}
-
-/// Returns the number of a REAL or LREAL; `None` for other types.
-fn number(value: &Value) -> Option<f64> {
-    match value {
-        Value::Plain { ty, raw } if ty.is_real() && ty.bits() == 32 => {
-            Some(f32::from_bits(u32::try_from(*raw).ok()?).into())
-        }
-        Value::Plain { ty, raw } if ty.is_real() => Some(f64::from_bits(*raw)),
-        _ => None,
     }
 }

@@ -40,15 +40,11 @@ fn holds(conversion: Conversion, raw: u64) -> bool {
     }
 }
 
-fn moment(ty: ElementaryType) -> bool {
-    ty.is_duration() || ty.is_date_or_time()
-}
-
 /// Returns whether a duration, date or time of day is an integer that wraps, of which these properties do not hold.
 fn wraps_moments(pair: &Conversion, dialect: &Dialect) -> bool {
     let units = dialect.conversions.moment_units;
     let counts = units == MomentUnits::Counts || units == MomentUnits::ShortTime;
-    counts && (moment(pair.from) || moment(pair.to))
+    counts && (pair.from.is_moment() || pair.to.is_moment())
 }
 
 #[test]
@@ -150,7 +146,7 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
     match (from.family(), to.family()) {
         (Family::Real, Family::Boolean) | (_, Family::Real) => true,
         (Family::TimeOfDay, Family::Duration) => true,
-        (Family::Real, _) if moment(to) => {
+        (Family::Real, _) if to.is_moment() => {
             let most = (i64::MAX as f64) / unit(to) as f64;
             let day = to.family() == Family::TimeOfDay;
             if day {
@@ -166,14 +162,14 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
                 number.round() as i128 <= high && number.round() as i128 >= low
             }
         }
-        _ if moment(from) && moment(to) => to.family() != Family::TimeOfDay,
-        _ if moment(from) => {
+        _ if from.is_moment() && to.is_moment() => to.family() != Family::TimeOfDay,
+        _ if from.is_moment() => {
             let (low, high) = to.integer_range().unwrap_or((0, 0));
             to == ElementaryType::Bool
                 || (low..=high).contains(&(from.integer_value(raw) / unit(from) - zero))
         }
         (_, Family::TimeOfDay) => (0..86_400_000).contains(&from.integer_value(raw)),
-        _ if moment(to) => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to) - zero,
+        _ if to.is_moment() => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to) - zero,
         (_, Family::Character) => from.integer_value(raw) >= 0 && from.integer_value(raw) < 128,
         (_, Family::Boolean) => true,
         _ => {
