@@ -98,6 +98,13 @@ impl Outcome {
         Outcome::Rejected { diagnostics }
     }
 
+    /// Returns the outcome of an engine that crashed, for this reason.
+    #[must_use]
+    pub fn crashed(reason: impl Into<String>) -> Outcome {
+        let reason = reason.into();
+        Outcome::Crashed { reason }
+    }
+
     /// Returns the outcome of checking a program: rejected where a diagnostic is an error, otherwise accepted with the
     /// diagnostics as warnings.
     #[must_use]

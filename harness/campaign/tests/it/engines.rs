@@ -56,8 +56,7 @@ pub fn dying(defect: Defect, life: u64, requests: Arc<AtomicU64>) -> ClosureEngi
             Defect::DiesForEverOver(_) | Defect::Rejects(_) | Defect::None => false,
         };
         if dies || number > life.load(Ordering::Relaxed) {
-            let reason = "it was made to".to_owned();
-            return Outcome::Crashed { reason };
+            return Outcome::crashed("it was made to");
         }
         reference.run(&RunRequest {
             source: &source,
