@@ -146,7 +146,7 @@ impl<'s> Parser<'s, '_> {
             self.nth(1 + to),
             TokenKind::Name | TokenKind::Array | TokenKind::LeftParen | TokenKind::Struct
         );
-        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let word = |form: &PointerForm| form.as_str().split(' ').next().unwrap_or_default();
         let mut forms = forms.iter().copied();
         forms.find(|form| begins_type && self.at_word(word(form)))
     }
@@ -156,7 +156,7 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.eat(TokenKind::To);
         let span = start.to(self.previous_span());
-        let has = self.has_pointers(form.feature(), form.words(), span);
+        let has = self.has_pointers(form.feature(), form.as_str(), span);
         let target = Box::new(self.type_specification()?);
         Ok(if has {
             Kind::Pointer { form, target }

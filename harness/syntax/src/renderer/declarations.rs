@@ -5,7 +5,7 @@ use super::writer::Writer;
 use crate::tree::{
     Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Modifiers,
     Name, Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup, VariableKind,
+    VariableGroup,
 };
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
@@ -84,9 +84,8 @@ impl<'u, 's> Writer<'u, 's> {
     }
 
     fn access(&mut self, before: &str, access: Option<Access>, behind: &str) {
-        let known = Access::ALL.into_iter().find(|(one, _)| Some(*one) == access);
-        if let Some((_, word)) = known {
-            self.out.extend([before, word, behind]);
+        if let Some(access) = access {
+            self.out.extend([before, access.as_str(), behind]);
         }
     }
 
@@ -114,16 +113,7 @@ impl<'u, 's> Writer<'u, 's> {
 
     fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
         self.begin();
-        self.put(match block.kind {
-            VariableKind::Local => "VAR",
-            VariableKind::Temporary => "VAR_TEMP",
-            VariableKind::Instance => "VAR_INST",
-            VariableKind::Input => "VAR_INPUT",
-            VariableKind::Output => "VAR_OUTPUT",
-            VariableKind::InOut => "VAR_IN_OUT",
-            VariableKind::External => "VAR_EXTERNAL",
-            VariableKind::Global => "VAR_GLOBAL",
-        });
+        self.put(block.kind.as_str());
         self.access(" ", block.access, "");
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
@@ -205,7 +195,7 @@ impl<'u, 's> Writer<'u, 's> {
                 self.specification(element);
             }
             TypeSpecificationKind::Pointer { form, target } => {
-                self.put(form.words());
+                self.put(form.as_str());
                 self.put(" ");
                 self.specification(target);
             }
