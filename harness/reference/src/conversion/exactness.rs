@@ -242,7 +242,7 @@ fn many_values_are_converted_as_each_one_is() {
             .map(move |&out_of_range| (rounding, out_of_range))
     };
     let plain = || ElementaryType::ALL.into_iter().filter(|ty| !ty.is_text());
-    for (rounding, out_of_range) in Rounding::ALL.into_iter().flat_map(|rounding| outside(rounding)) {
+    for (rounding, out_of_range) in Rounding::ALL.into_iter().flat_map(outside) {
         let choices = ConversionChoices {
             out_of_range,
             ..COMMON_CHOICES.with_rounding(rounding)
