@@ -17,11 +17,7 @@ use stickler_workers::{Cancellation, Shard};
 
 /// Returns the grade of the column `strict`; the code where there is none.
 fn strict(example: &Example) -> Grade {
-    match example.text("strict") {
-        "rejected" => Grade::Rejected,
-        "line" => Grade::Line,
-        _ => Grade::Code,
-    }
+    Grade::from_word(example.text("strict")).unwrap_or_default()
 }
 
 /// Returns a rendered program: one with this body, if the text is no whole program and no other outcome.
