@@ -279,7 +279,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn section(&mut self, section: &'t VariableBlock<'s>, _: &Context<'t, 's>) {
         if section.kind != VariableKind::Local {
-            let key = section.kind.keyword().to_ascii_lowercase().replace('_', "-");
+            let key = section.kind.as_str().to_ascii_lowercase().replace('_', "-");
             self.note(key, section.span);
         }
         self.note_if(section.access.is_some(), "access-specifier", section.span);

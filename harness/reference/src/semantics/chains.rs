@@ -38,7 +38,7 @@ impl Lowering<'_> {
             let operation = match self.operation(operator, operands, wanted) {
                 OperatorSignature::Defined(operation) => Some(operation),
                 OperatorSignature::Undefined => {
-                    let message = self.undefined(operator.symbol(), operands);
+                    let message = self.undefined(operator.as_str(), operands);
                     self.report(self.undefined_code(operator, operands), self.span(at), message);
                     None
                 }

@@ -50,7 +50,10 @@ impl<'u> Declarer<'u, '_> {
         };
         let written = self.specification(&group.specification, path_text);
         // Of a program that is not declared nothing more is said.
-        let mut programs = configuration.resources.iter().flat_map(|resource| &resource.programs);
+        let mut programs = configuration
+            .resources
+            .iter()
+            .flat_map(|resource| &resource.programs);
         let first = path_text.split('.').next().unwrap_or_default();
         let is_program = |name: &str| {
             let found = self.model.definitions.get(&CaseFolded(name));

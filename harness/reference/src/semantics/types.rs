@@ -508,7 +508,7 @@ impl TypeTable {
             | TypeKind::Interface(structure) => structure.name.to_string(),
             TypeKind::Pointer(_) if id == TypeId::ADDRESS => "an address".to_owned(),
             TypeKind::Pointer(pointer) => {
-                format!("{} {}", pointer.form.words(), self.name(pointer.target))
+                format!("{} {}", pointer.form.as_str(), self.name(pointer.target))
             }
             TypeKind::Array(shape) => {
                 let limits = shape.dimensions.iter();

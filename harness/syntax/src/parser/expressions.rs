@@ -101,7 +101,7 @@ impl<'s> Parser<'s, '_> {
 
     /// AND_THEN or OR_ELSE, and how tight it binds.
     fn short_circuit(&mut self, operator: BinaryOperator, precedence: u8) -> (BinaryOperator, u8) {
-        self.has("short-circuit", self.token().span, operator.symbol());
+        self.has("short-circuit", self.token().span, operator.as_str());
         (operator, precedence)
     }
 

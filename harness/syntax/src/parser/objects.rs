@@ -88,7 +88,7 @@ impl<'s> Parser<'s, '_> {
     /// The access specifier that stands here.
     pub(super) fn access(&self) -> Option<Access> {
         let mut all = Access::ALL.into_iter();
-        all.find_map(|(access, word)| self.at_word(word).then_some(access))
+        all.find(|access| self.at_word(access.as_str()))
     }
 
     /// EXTENDS or IMPLEMENTS (`word`) and the names behind it.

@@ -121,7 +121,7 @@ impl<'s> Parser<'s, '_> {
             _ => (1, &[PointerForm::RefTo]),
         };
         let begins_type = matches!(self.nth(behind), Name | Array | LeftParen | Struct);
-        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let word = |form: &PointerForm| form.as_str().split(' ').next().unwrap_or_default();
         let mut forms = forms.iter().copied();
         forms.find(|form| begins_type && self.at_word(word(form)))
     }
@@ -131,7 +131,7 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.eat(TokenKind::To);
         let span = start.to(self.previous_span());
-        let has = self.has(form.feature(), span, form.words());
+        let has = self.has(form.feature(), span, form.as_str());
         let target = Box::new(self.type_specification()?);
         Ok(match has {
             true => Kind::Pointer { form, target },

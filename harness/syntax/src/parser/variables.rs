@@ -56,10 +56,9 @@ impl<'s> Parser<'s, '_> {
 
     /// The section that the next token opens; `None` for one that is not implemented.
     fn section(&self) -> Option<VariableKind> {
-        let opened = VariableKind::ALL
-            .into_iter()
-            .find(|(_, keyword)| *keyword == self.kind());
-        opened.map(|(kind, _)| kind)
+        let kind = self.kind();
+        let opens = kind.opens_section();
+        opens.then(|| VariableKind::from_word(kind.text())).flatten()
     }
 
     /// CONSTANT, RETAIN, NON_RETAIN and PERSISTENT, in any order.

@@ -66,9 +66,8 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// An access specifier behind another word.
     fn access(&mut self, access: Option<Access>) {
-        let known = Access::ALL.into_iter().find(|(one, _)| Some(*one) == access);
-        if let Some((_, word)) = known {
-            self.out.extend([" ", word]);
+        if let Some(access) = access {
+            self.out.extend([" ", access.as_str()]);
         }
     }
 
@@ -96,7 +95,7 @@ impl<'u, 's> Writer<'u, 's> {
 
     fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
         self.begin();
-        self.put(block.kind.keyword());
+        self.put(block.kind.as_str());
         self.access(block.access);
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
@@ -178,7 +177,7 @@ impl<'u, 's> Writer<'u, 's> {
                 self.specification(element);
             }
             TypeSpecificationKind::Pointer { form, target } => {
-                self.put(form.words());
+                self.put(form.as_str());
                 self.put(" ");
                 self.specification(target);
             }
@@ -263,7 +262,9 @@ impl<'u, 's> Writer<'u, 's> {
         self.indented(|writer| {
             globals.iter().for_each(|block| writer.block_of_variables(block));
             resources.iter().for_each(|resource| writer.resource(resource));
-            configured.iter().for_each(|block| writer.block_of_variables(block));
+            configured
+                .iter()
+                .for_each(|block| writer.block_of_variables(block));
         });
         self.line("END_CONFIGURATION");
     }

@@ -3,6 +3,7 @@
 use super::{Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
 use crate::token::TokenKind;
+use stickler_types::words;
 
 /// A declaration at the top level of a source text.
 #[derive(PartialEq, Debug)]
@@ -61,27 +62,18 @@ impl PouKind {
     }
 }
 
-/// An access specifier.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Access {
-    /// PUBLIC.
-    Public,
-    /// PRIVATE.
-    Private,
-    /// PROTECTED.
-    Protected,
-    /// INTERNAL.
-    Internal,
-}
-
-impl Access {
-    /// The access specifiers and their keywords.
-    pub const ALL: [(Access, &'static str); 4] = [
-        (Access::Public, "PUBLIC"),
-        (Access::Private, "PRIVATE"),
-        (Access::Protected, "PROTECTED"),
-        (Access::Internal, "INTERNAL"),
-    ];
+words! {
+    /// An access specifier.
+    Access {
+        /// PUBLIC.
+        Public = "PUBLIC",
+        /// PRIVATE.
+        Private = "PRIVATE",
+        /// PROTECTED.
+        Protected = "PROTECTED",
+        /// INTERNAL.
+        Internal = "INTERNAL",
+    }
 }
 
 /// The keywords before the name of a POU.
@@ -155,57 +147,37 @@ impl Pou<'_> {
     }
 }
 
-/// The section that a variable is declared in.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum VariableKind {
-    /// VAR.
-    Local,
-    /// VAR_TEMP.
-    Temporary,
-    /// VAR_INST, of a method.
-    Instance,
-    /// VAR_STAT: one variable for all instances and calls.
-    Static,
-    /// VAR_INPUT.
-    Input,
-    /// VAR_OUTPUT.
-    Output,
-    /// VAR_IN_OUT.
-    InOut,
-    /// VAR_EXTERNAL.
-    External,
-    /// VAR_GLOBAL.
-    Global,
-    /// VAR_CONFIG.
-    Configured,
+words! {
+    /// The section that a variable is declared in.
+    VariableKind {
+        /// VAR.
+        Local = "VAR",
+        /// VAR_TEMP.
+        Temporary = "VAR_TEMP",
+        /// VAR_INST, of a method.
+        Instance = "VAR_INST",
+        /// VAR_STAT: one variable for all instances and calls.
+        Static = "VAR_STAT",
+        /// VAR_INPUT.
+        Input = "VAR_INPUT",
+        /// VAR_OUTPUT.
+        Output = "VAR_OUTPUT",
+        /// VAR_IN_OUT.
+        InOut = "VAR_IN_OUT",
+        /// VAR_EXTERNAL.
+        External = "VAR_EXTERNAL",
+        /// VAR_GLOBAL.
+        Global = "VAR_GLOBAL",
+        /// VAR_CONFIG.
+        Configured = "VAR_CONFIG",
+    }
 }
 
 impl VariableKind {
-    /// The sections and the keywords that open them.
-    pub const ALL: [(VariableKind, TokenKind); 10] = [
-        (VariableKind::Local, TokenKind::Var),
-        (VariableKind::Temporary, TokenKind::VarTemp),
-        (VariableKind::Instance, TokenKind::VarInst),
-        (VariableKind::Input, TokenKind::VarInput),
-        (VariableKind::Output, TokenKind::VarOutput),
-        (VariableKind::InOut, TokenKind::VarInOut),
-        (VariableKind::External, TokenKind::VarExternal),
-        (VariableKind::Global, TokenKind::VarGlobal),
-        (VariableKind::Static, TokenKind::VarStat),
-        (VariableKind::Configured, TokenKind::VarConfig),
-    ];
-
     /// Returns whether the variables of the section hold values of their own, and do not stand for others.
     #[must_use]
     pub const fn is_held(self) -> bool {
         !matches!(self, VariableKind::InOut | VariableKind::External)
-    }
-
-    /// Returns the spelling of the keyword that opens the section.
-    #[must_use]
-    pub fn keyword(self) -> &'static str {
-        let known = VariableKind::ALL.into_iter().find(|(kind, _)| *kind == self);
-        known.map_or("VAR", |(_, keyword)| keyword.text())
     }
 }
 
@@ -316,28 +288,19 @@ pub enum TypeSpecificationKind<'s> {
     Error,
 }
 
-/// The words that make a type one of references or pointers.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum PointerForm {
-    /// `REF_TO`: the standard's references, followed by `^`.
-    RefTo,
-    /// `POINTER TO`: an address, followed by `^`.
-    PointerTo,
-    /// `REFERENCE TO`: another name of the variable to which `REF=` binds it.
-    ReferenceTo,
+words! {
+    /// The words that make a type one of references or pointers.
+    PointerForm {
+        /// `REF_TO`: the standard's references, followed by `^`.
+        RefTo = "REF_TO",
+        /// `POINTER TO`: an address, followed by `^`.
+        PointerTo = "POINTER TO",
+        /// `REFERENCE TO`: another name of the variable to which `REF=` binds it.
+        ReferenceTo = "REFERENCE TO",
+    }
 }
 
 impl PointerForm {
-    /// Returns the words as they are written.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            PointerForm::RefTo => "REF_TO",
-            PointerForm::PointerTo => "POINTER TO",
-            PointerForm::ReferenceTo => "REFERENCE TO",
-        }
-    }
-
     /// Returns the key of the feature in `conformance-cases/features.toml`.
     #[must_use]
     pub const fn feature(self) -> &'static str {
