@@ -50,9 +50,9 @@ pub enum LayoutKind {
 /// A variable that has an address.
 #[derive(Clone, Copy, Debug)]
 pub struct MemoryObject {
-    /// Its first cell.
+    /// The first cell of the variable.
     pub cell: Address,
-    /// Its layout.
+    /// The layout of the variable in bytes.
     pub layout: LayoutId,
     /// The body of the function that it belongs to, and what gives its inputs their defaults; it does not exist outside of these. `None`
     /// for a variable that always exists.

@@ -218,8 +218,10 @@ pub enum Instruction {
         function: StandardFunction,
         /// The type of its values.
         of: ElementaryType,
-        /// The number of values that it takes besides a selector.
+        /// The number of values of the type that it takes.
         count: u16,
+        /// The number of integers that it takes besides: a selector, a number of places, a length, a position.
+        numbers: u16,
     },
 
     /// Goes on elsewhere.
@@ -337,7 +339,7 @@ pub enum StandardFunction {
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
     /// a number, or infinite.
     Real(RealFunction),
-    /// The same, which faults with division-by-zero where the result is infinite though the operands are not.
+    /// The same, which faults with division-by-zero where the result is infinite though the operands are zero: LN and LOG of 0.
     RealOrStop(RealFunction),
     /// CONCAT_DATE and its kin: pops the numbers of a date, a time of day or both as i64, from the year or the hour on; faults with subrange where
     /// the type does not have them.

@@ -83,6 +83,14 @@ pub struct Context<'t, 's> {
     pub outer: Option<Span>,
 }
 
+impl Context<'_, '_> {
+    /// Returns whether a visited declaration is one of the fields of a structure, and not one of the variables of a section.
+    #[must_use]
+    pub fn is_field(&self) -> bool {
+        self.section.map(|section| section.span) != self.outer
+    }
+}
+
 /// Hooks that [`walk`] calls for each part of a tree, before its children.
 pub trait Visitor<'t, 's: 't> {
     /// Visits a program organization unit.

@@ -145,7 +145,9 @@ pub fn refused_base(unit: &SourceUnit<'_>, id: ExpressionId) -> Option<Expressio
 /// Returns the place of the variables of a section, which is both a source and a target; `None` for the variables of VAR.
 const fn section(kind: VariableKind) -> Option<&'static str> {
     match kind {
-        VariableKind::Local | VariableKind::Instance | VariableKind::Static | VariableKind::Configured => None,
+        VariableKind::Local | VariableKind::Instance | VariableKind::Static | VariableKind::Configured => {
+            None
+        }
         VariableKind::Temporary => Some("temporary"),
         VariableKind::Input => Some("input"),
         VariableKind::Output => Some("output"),

@@ -279,7 +279,12 @@ impl<'p> Machine<'p> {
                     let (control, goes_on) = self.pop_counting(types)?.next();
                     self.operands.extend([control, goes_on.into()]);
                 }
-                Instruction::Standard { function, of, count } => self.standard(function, of, count)?,
+                Instruction::Standard {
+                    function,
+                    of,
+                    count,
+                    numbers,
+                } => self.standard(function, of, count.into(), numbers.into())?,
 
                 Instruction::Jump(label) => self.go_to(label)?,
                 Instruction::JumpIfFalse(label) => {

@@ -125,30 +125,23 @@ impl<'p> Machine<'p> {
                 self.poke(id)
             }
             LayoutKind::Text(ty, capacity) => {
-                let size = 1 + u64::from(*ty == ElementaryType::Wstring);
-                let bytes =
-                    |position: usize| (0..size).map(move |byte| (position as u64 * size + byte, 8 * byte));
+                let step = 1 + u64::from(*ty == ElementaryType::Wstring);
+                let mut units = vec![0; *capacity as usize];
                 if !to_cells {
-                    let text = self.memory.text(cell)?.to_vec();
-                    for (position, unit) in text.into_iter().chain([0]).enumerate() {
-                        for (offset, shift) in bytes(position) {
-                            self.byte(address.wrapping_add(offset), id, Some((unit >> shift) as u8))?;
-                        }
-                    }
-                    return Ok(());
+                    units = [self.memory.text(cell)?, &[0]].concat();
                 }
-                let mut text = Vec::new();
-                while text.len() < *capacity as usize {
-                    let mut unit = 0;
-                    for (offset, shift) in bytes(text.len()) {
-                        unit |= u16::from(self.byte(address.wrapping_add(offset), id, None)?) << shift;
+                for (unit, position) in units.iter_mut().zip(0..) {
+                    for (shift, byte) in [0, 8].into_iter().zip(0..step) {
+                        let new = (!to_cells).then_some((*unit >> shift) as u8);
+                        let at = address.wrapping_add(position * step + byte);
+                        *unit |= u16::from(self.byte(at, id, new)?) << shift;
                     }
-                    if unit == 0 {
-                        break;
-                    }
-                    text.push(unit);
                 }
-                self.memory.store_text(cell, &text)
+                let length = units.iter().position(|&unit| unit == 0);
+                match to_cells {
+                    true => self.memory.store_text(cell, &units[..length.unwrap_or(units.len())]),
+                    false => Ok(()),
+                }
             }
             LayoutKind::Array(element) => {
                 let one = self.layout(*element)?;

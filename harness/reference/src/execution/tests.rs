@@ -61,6 +61,7 @@ fn instruction(text: &str) -> Instruction {
         function,
         of: ty(1),
         count: small(2) as u16,
+        numbers: words.get(3).map_or(0, |_| small(3) as u16),
     };
     let part = || Part {
         first: small(1) as u8,
@@ -259,6 +260,7 @@ fn any_instruction(bits: u64) -> Instruction {
             function,
             of: ty,
             count: small as u16,
+            numbers: (bits % 3) as u16,
         },
         24 => Jump(small),
         25 => JumpIfFalse(small),

@@ -179,8 +179,9 @@ impl<'m> Lowering<'m> {
         }
         bound.omitted = true;
         let given: FxHashSet<_> = bound.inputs.iter().map(|&(parameter, _)| parameter).collect();
-        let mut in_outs = levels.iter().flat_map(|level| &level.in_outs);
-        let missing = in_outs.find(|parameter| !given.contains(parameter));
+        let is_in_out = |parameter: u32| self.model.variable(parameter).kind == VariableKind::InOut;
+        let mut parameters = levels.iter().flat_map(|level| &level.parameters);
+        let missing = parameters.find(|&&parameter| is_in_out(parameter) && !given.contains(&parameter));
         let Some(&missing) = missing.filter(|_| !bound.unknown) else {
             return;
         };
@@ -189,11 +190,11 @@ impl<'m> Lowering<'m> {
         } else {
             Code::FunctionInvocationMissingInput
         };
-        let missing = self.model.variable(missing);
-        let (name, what) = (
-            missing.name.text,
-            ["VAR_IN_OUT", "ARRAY[*]"][usize::from(missing.limits > 0)],
+        let name = self.model.variable(missing).name.text;
+        self.report(
+            code,
+            call,
+            format!("`{name}`, which is passed by address, needs an argument"),
         );
-        self.report(code, call, format!("{what} `{name}` needs an argument"));
     }
 }

@@ -76,7 +76,7 @@ pub(super) struct Deferred<'u> {
 pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (Model<'u>, MemoryLayout) {
     let model = Model {
         source,
-        types: TypeTable::new(),
+        types: TypeTable::default(),
         definitions: Scope::default(),
         declared_types: Vec::new(),
         pous: Vec::new(),
@@ -170,7 +170,6 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
-            in_outs: Vec::new(),
             ty: TypeId::ERROR,
             body,
             initial,

@@ -4,7 +4,7 @@
 
 use super::constant::Constant;
 use super::declare::Declarer;
-use super::model::{DeclaredVariable, Storage};
+use super::model::DeclaredVariable;
 use super::types::TypeId;
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{CaseFolded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
@@ -60,19 +60,9 @@ impl<'u> Declarer<'u, '_> {
             let message = format!("global variable `{}` is already declared", name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
         }
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty: TypeId::ERROR,
-            kind: VariableKind::Global,
-            section: VariableKind::Global,
-            limits: 0,
-            constant: block.constant,
-            is_public: false,
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
-            value,
-        });
+        let variable =
+            DeclaredVariable::new(name, TypeId::ERROR, VariableKind::Global).declared(block, group);
+        self.model.variables.push(DeclaredVariable { value, ..variable });
     }
 
     /// Gives VAR_IN_OUT and VAR_EXTERNAL their types, and the latter the variables that they stand for.

@@ -22,12 +22,7 @@ impl<'m> Lowering<'m> {
             if known != Inferred::Pending {
                 break;
             }
-            let ExpressionKind::Binary {
-                operator,
-                left,
-                right,
-            } = self.expression(at).kind
-            else {
+            let Some((operator, left, right)) = self.expression(at).binary() else {
                 let inferred = self.infer_leaf(at);
                 self.inferred[at.0 as usize] = inferred;
                 break;
@@ -125,7 +120,7 @@ impl<'m> Lowering<'m> {
 
     fn infer_part(&mut self, base: ExpressionId, part: ElementaryType) -> Inferred {
         match self.infer(base).elementary() {
-            Some(ty) if ty.is_integer() || ty.is_bit_string() => Inferred::from(part),
+            Some(ty) if ty.is_whole() => Inferred::from(part),
             _ => Inferred::Error,
         }
     }
@@ -170,6 +165,6 @@ pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: 
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate if ty.is_duration() => dialect.negates_durations,
-        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
+        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_number() || ty.is_duration(),
     }
 }

@@ -10,7 +10,7 @@ use super::types::{DefaultValue, TypeId, TypeKind, TypeMember};
 use crate::instruction::{Instruction, RoutineId};
 use std::ops::Range;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
+use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {
@@ -191,23 +191,21 @@ impl<'m> Lowering<'m> {
 
     /// Returns whether a list stands for a row of an array with several dimensions.
     fn is_row(&self, value: &Initializer<'_>, element: TypeId, lengths: &[u32]) -> bool {
-        matches!(value.kind, InitializerKind::Array(_)) && !self.is_array(element) && lengths.len() > 1
-    }
-
-    fn is_array(&self, ty: TypeId) -> bool {
-        matches!(self.model.types.kind(ty), TypeKind::Array(_))
+        matches!(value.kind, InitializerKind::Array(_))
+            && self.model.types.array(element).is_none()
+            && lengths.len() > 1
     }
 
     /// Returns how often an element is repeated.
     fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
         let Some(id) = element.repetition else { return 1 };
-        let number = self.constant_number(id);
-        number.map_or(0, |number| {
-            u32::try_from(number).unwrap_or_else(|_| {
-                let message = format!("{number} is no number of repetitions");
-                self.report(Code::ConstantOverflow, self.span(id), message);
-                0
-            })
+        let Some(number) = self.constant_number(id) else {
+            return 0;
+        };
+        u32::try_from(number).unwrap_or_else(|_| {
+            let message = format!("{number} is no number of repetitions");
+            self.report(Code::ConstantOverflow, self.span(id), message);
+            0
         })
     }
 
@@ -217,9 +215,8 @@ impl<'m> Lowering<'m> {
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let is_own =
-                |member: &&TypeMember| !matches!(member.kind, VariableKind::InOut | VariableKind::External);
-            let Some(member) = self.model.types.member(ty, name.text).filter(is_own) else {
+            let member = self.model.types.member(ty, name.text);
+            let Some(member) = member.filter(|member| member.kind.is_held()) else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
                 self.report(Code::VariableUndefined, name.span, message);
                 self.lower_initializer(value);
@@ -288,7 +285,7 @@ impl<'m> Lowering<'m> {
                 }
             }
             DefaultInitialValue::Elements(ty) => {
-                let TypeKind::Array(shape) = model.types.kind(ty) else {
+                let Some(shape) = model.types.array(ty) else {
                     return;
                 };
                 self.default_value(start, shape.element);

@@ -95,35 +95,28 @@ impl<'m> Lowering<'m> {
                 "limits that a DINT does not hold are not implemented",
             );
         }
-        let dimensions = u16::try_from(shape.dimensions.len()).unwrap_or(u16::MAX);
+        let dimensions = shape.dimensions.len();
         let result = LoweredValue::of(ElementaryType::Dint);
         if let Some(number) = dimension.constant {
             self.emitter.truncate(start);
-            let index = u16::try_from(number)
-                .ok()
-                .filter(|index| (1..=dimensions).contains(index));
-            let Some(index) = index else {
-                let message = format!("the array has the dimensions 1 to {dimensions}, and no {number}");
-                self.report(Code::ArrayDimensionInvalid, self.span(values[1]), message);
-                return LoweredValue::ERROR;
-            };
-            self.push_limit(place, 3 * u32::from(index - 1) + limit);
+            match u32::try_from(number) {
+                Ok(number) if (1..=dimensions).contains(&(number as usize)) => {
+                    self.push_limit(place, 3 * (number - 1) + limit);
+                }
+                _ => {
+                    let message = format!("the array has the dimensions 1 to {dimensions}, and no {number}");
+                    self.report(Code::ArrayDimensionInvalid, self.span(values[1]), message);
+                }
+            }
             return result;
         }
         self.emit(Instruction::Push(1));
-        self.emit(Instruction::Arithmetic(
-            ArithmeticOperator::Subtract,
-            ElementaryType::Lint,
-        ));
-        for index in 0..dimensions.into() {
+        let subtract = ArithmeticOperator::Subtract;
+        self.emit(Instruction::Arithmetic(subtract, ElementaryType::Lint));
+        for index in (0..).take(dimensions) {
             self.push_limit(place, 3 * index + limit);
         }
-        let choice = Instruction::Standard {
-            function: StandardFunction::Mux,
-            of: ElementaryType::Dint,
-            count: dimensions,
-        };
-        self.emit_at(span, choice);
+        self.emit_standard(call, StandardFunction::Mux, ElementaryType::Dint, (dimensions, 1));
         result
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct VariablePlace {
 }
 
 impl VariablePlace {
-    /// The whole of a value that can be written.
+    /// Returns all of what lies at a location, and can be written.
     pub(super) const fn new(location: Location, ty: TypeId) -> VariablePlace {
         VariablePlace {
             location,
@@ -50,7 +50,7 @@ impl VariablePlace {
         }
     }
 
-    /// A whole variable.
+    /// Returns the place of a whole variable.
     pub(super) fn of(variable: &DeclaredVariable<'_>) -> VariablePlace {
         VariablePlace {
             constant: variable.constant,

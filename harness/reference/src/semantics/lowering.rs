@@ -182,10 +182,7 @@ impl<'m> Lowering<'m> {
     /// Takes a plain cell for what must be kept while other code runs. Recursion is forbidden, so it
     /// may lie at a fixed address.
     pub(super) fn temporary(&mut self, span: Span) -> u32 {
-        self.memory.cell().unwrap_or_else(|| {
-            self.report(Code::LimitExceeded, span, "the program needs too much memory");
-            0
-        })
+        self.temporary_of(TypeId::of(ElementaryType::Ulint), span)
     }
 
     /// Takes room for a value of a type.

@@ -141,12 +141,10 @@ fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
             bases.for_each(|base| needs.name(*base));
             let instance = pou.members.iter().flat_map(|member| &member.blocks);
             let instance = instance.filter(|block| block.kind == VariableKind::Instance);
-            let blocks = pou.blocks.iter().chain(instance);
-            let is_held = |kind| !matches!(kind, VariableKind::InOut | VariableKind::External);
-            let groups = blocks
-                .filter(|block| is_held(block.kind))
-                .flat_map(|block| &block.groups);
-            groups.for_each(|group| needs.specification(&group.specification));
+            let held = pou.blocks.iter().chain(instance);
+            let held = held.filter(|block| block.kind.is_held());
+            held.flat_map(|block| &block.groups)
+                .for_each(|group| needs.specification(&group.specification));
         }
     }
     needs.found

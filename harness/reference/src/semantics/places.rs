@@ -241,7 +241,7 @@ impl<'m> Lowering<'m> {
         (value.ty != TypeId::ERROR).then_some(LoweredValue { ty, ..value })
     }
 
-    /// As [`counting`], in the dialect of the text.
+    /// Returns the integer type of values by which things are counted and selected, in the dialect of the text.
     pub(super) fn counting(&self, ty: ElementaryType) -> Option<ElementaryType> {
         counting(ty, self.model.source.dialect)
     }
@@ -265,8 +265,8 @@ impl<'m> Lowering<'m> {
         }
         let place = self.place(base)?;
         let name = self.model.types.name(place.content());
-        let ty = self.model.elementary(place.content());
-        let Some(ty) = ty.filter(|ty| ty.is_integer() || ty.is_bit_string()) else {
+        let ty = self.model.elementary(place.content()).filter(|ty| ty.is_whole());
+        let Some(ty) = ty else {
             self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };

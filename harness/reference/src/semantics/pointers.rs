@@ -253,13 +253,15 @@ impl<'m> Lowering<'m> {
         self.finish_store(place, span);
     }
 
-    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference is; gives whether it was.
+    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference and no interface is; gives
+    /// whether it was.
     pub(super) fn refuses_reference(&mut self, id: ExpressionId, inferred: Inferred, to: TypeId) -> bool {
         let (types, dialect) = (&self.model.types, self.model.source.dialect);
         let Inferred::Known(from) = inferred else {
             return false;
         };
-        if types.pointer(from).is_none() || addresses_are_numbers(dialect) {
+        let is_interface = types.is_interface(to);
+        if types.pointer(from).is_none() || addresses_are_numbers(dialect) && !is_interface {
             return false;
         }
         let (code, message) = match (types.pointer(to), self.address_operand(id)) {
@@ -276,7 +278,11 @@ impl<'m> Lowering<'m> {
                 let message = format!("{} is no {}", types.name(from), types.name(to));
                 (Code::ReferenceTypeMismatch, message)
             }
-            (None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR => {
+            (None, Some(_)) if from == TypeId::ADDRESS && is_interface => {
+                let message = format!("the address of a variable is no {}", types.name(to));
+                (Code::ReferenceTypeMismatch, message)
+            }
+            (None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR && !is_interface => {
                 let message = "only a reference or pointer can be NULL".to_owned();
                 (Code::NullRequiresReferenceType, message)
             }

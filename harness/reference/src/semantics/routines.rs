@@ -84,10 +84,7 @@ impl<'m> Lowering<'m> {
         );
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
-            if !matches!(
-                kind,
-                VariableKind::Input | VariableKind::InOut | VariableKind::External | VariableKind::Static
-            ) {
+            if kind.is_held() && !matches!(kind, VariableKind::Input | VariableKind::Static) {
                 self.begin_with(index);
             }
         }
@@ -110,13 +107,7 @@ impl<'m> Lowering<'m> {
         }
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
-            if !matches!(
-                kind,
-                VariableKind::Temporary
-                    | VariableKind::InOut
-                    | VariableKind::External
-                    | VariableKind::Static
-            ) {
+            if kind.is_held() && !matches!(kind, VariableKind::Temporary | VariableKind::Static) {
                 self.begin_with(index);
             }
         }

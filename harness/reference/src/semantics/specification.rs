@@ -305,11 +305,7 @@ impl<'u> Declarer<'u, '_> {
             let hint = group.names.first().map_or("", |name| name.text);
             let ty = self.group_type(group, hint);
             let inner = *self.model.types.extent(ty);
-            if self.is_abstract(ty) {
-                let message = "an ABSTRACT function block has no instances";
-                let span = group.specification.span;
-                self.report(Code::AbstractFunctionBlockInstantiated, span, message);
-            }
+            self.refuse_abstract(ty, group.specification.span);
             zero &= group.initializer.is_none() && inner.default == DefaultValue::Zero;
             extent.depth = extent.depth.max(inner.depth);
             extent.has_block |= inner.has_block;

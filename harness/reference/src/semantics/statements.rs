@@ -50,11 +50,8 @@ impl<'m> Lowering<'m> {
             StatementKind::Continue => match self.loops.last_mut() {
                 Some(around) => around.continues.push(self.emitter.jump()),
                 None => {
-                    self.report(
-                        Code::ContinueOutsideLoop,
-                        statement.span,
-                        "CONTINUE stands in no loop",
-                    );
+                    let message = "CONTINUE stands in no loop";
+                    self.report(Code::ContinueOutsideLoop, statement.span, message);
                 }
             },
             StatementKind::Return => self.emit(Instruction::Return),

@@ -227,8 +227,8 @@ pub(super) const MAX_ANCESTORS: u32 = 200;
 /// The default maximum length of STRING and WSTRING; the standard leaves it to the implementer.
 pub(super) const DEFAULT_CAPACITY: u32 = 254;
 
-/// Every type of a source text.
-#[derive(Debug)]
+/// Every type of a source text; by default the elementary ones.
+#[derive(Default, Debug)]
 pub(super) struct TypeTable {
     /// The declared types; before them come the [`BUILT_IN`].
     declared: Vec<TypeRow>,
@@ -267,17 +267,6 @@ static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::
 });
 
 impl TypeTable {
-    /// The table with the elementary types in it.
-    pub(super) fn new() -> TypeTable {
-        TypeTable {
-            declared: Vec::new(),
-            texts: FxHashMap::default(),
-            subranges: FxHashMap::default(),
-            arrays: FxHashMap::default(),
-            parents: FxHashMap::default(),
-        }
-    }
-
     /// Notes the types that a new type extends or implements, of which there are at most [`MAX_ANCESTORS`].
     pub(super) fn set_parents(&mut self, id: TypeId, parents: Vec<TypeId>) {
         self.parents.insert(id, parents);
@@ -361,6 +350,27 @@ impl TypeTable {
         }) = row.and_then(|row| self.declared.get_mut(row))
         {
             pointer.target = target;
+        }
+    }
+
+    /// Returns a type as a function block, class or interface, if it is one.
+    pub(super) fn object(&self, id: TypeId) -> Option<&Structure> {
+        match self.kind(id) {
+            TypeKind::FunctionBlock(object) | TypeKind::Interface(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// Returns whether a type is an interface.
+    pub(super) fn is_interface(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Interface(_))
+    }
+
+    /// Returns a type as an array, if it is one.
+    pub(super) fn array(&self, id: TypeId) -> Option<&ArrayShape> {
+        match self.kind(id) {
+            TypeKind::Array(shape) => Some(shape),
+            _ => None,
         }
     }
 
@@ -470,13 +480,11 @@ impl TypeTable {
         } else {
             DefaultValue::Constant(subrange.base.wrap(subrange.low))
         };
-        let id = self.add(
-            TypeKind::Subrange(subrange),
-            Extent {
-                default,
-                ..Extent::PLAIN
-            },
-        );
+        let extent = Extent {
+            default,
+            ..Extent::PLAIN
+        };
+        let id = self.add(TypeKind::Subrange(subrange), extent);
         self.subranges.insert(subrange, id);
         id
     }
@@ -553,7 +561,7 @@ impl TypeTable {
             | TypeKind::Interface(structure) => structure.name.to_string(),
             TypeKind::Pointer(_) if id == TypeId::ADDRESS => "an address".to_owned(),
             TypeKind::Pointer(pointer) => {
-                format!("{} {}", pointer.form.words(), self.name(pointer.target))
+                format!("{} {}", pointer.form.as_str(), self.name(pointer.target))
             }
             TypeKind::Array(shape) => {
                 let limits = shape.dimensions.iter();

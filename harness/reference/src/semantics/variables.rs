@@ -7,7 +7,7 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -105,19 +105,14 @@ impl<'u> Declarer<'u, '_> {
             group.specification.kind,
             TypeSpecificationKind::VariableLengthArray { .. }
         );
-        let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External) && !is_array;
+        let held = block.kind.is_held() && !is_array;
         if let (false, Some(initializer)) = (held, &group.initializer) {
             let message = "what stands for another variable has no initial value of its own";
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
         let has_block = held && self.model.types.extent(ty).has_block;
-        if held && self.is_abstract(ty) {
-            let message = "an ABSTRACT function block has no instances";
-            self.report(
-                Code::AbstractFunctionBlockInstantiated,
-                group.specification.span,
-                message,
-            );
+        if held {
+            self.refuse_abstract(ty, group.specification.span);
         }
         if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
@@ -164,9 +159,6 @@ impl<'u> Declarer<'u, '_> {
         if matches!(kind, VariableKind::Input | VariableKind::InOut) {
             self.model.pous[pou].parameters.push(index);
         }
-        if kind == VariableKind::InOut {
-            self.model.pous[pou].in_outs.push(index);
-        }
         let fixed = block.constant
             && matches!(
                 block.kind,
@@ -179,18 +171,14 @@ impl<'u> Declarer<'u, '_> {
         };
         // Only now is the name known: a constant is not made of itself.
         self.enter_variable(pou, name, index);
+        let variable = DeclaredVariable::new(name, ty, kind).declared(block, group);
+        let constant = block.constant || limits > 0 && block.kind == VariableKind::Input;
         self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind,
             section: block.kind,
             limits,
-            constant: block.constant || limits > 0 && block.kind == VariableKind::Input,
-            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
+            constant,
             value,
+            ..variable
         });
     }
 
@@ -215,7 +203,6 @@ impl<'u> Declarer<'u, '_> {
             return;
         };
         let is_setter = self.model.pous[pou].pou.kind == PouKind::Setter;
-        let kind = [VariableKind::Output, VariableKind::Input][usize::from(is_setter)];
         let name = self.model.pous[pou].pou.name;
         let ty = self.specification(result, name.text);
         if self.model.types.extent(ty).has_block {
@@ -223,25 +210,15 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::FunctionBlockInFunction, result.span, message);
         }
         let index = saturating_u32(self.model.variables.len());
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind,
-            section: kind,
-            limits: 0,
-            constant: false,
-            is_public: false,
-            storage: Storage::Absolute(0),
-            initializer: None,
-            repeated: false,
-            value: Constant::Variable,
-        });
         let entry = &mut self.model.pous[pou];
-        if is_setter {
+        let kind = if is_setter {
             entry.parameters.push(index);
+            VariableKind::Input
         } else {
             entry.result = Some(index);
-        }
+            VariableKind::Output
+        };
+        self.model.variables.push(DeclaredVariable::new(name, ty, kind));
         entry.scope.insert(CaseFolded(name.text), index);
     }
 

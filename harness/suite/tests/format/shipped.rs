@@ -154,8 +154,14 @@ fn every_feature_of_a_case_is_in_the_list() {
 }
 
 #[test]
-fn every_feature_that_a_dialect_names_is_in_the_list() {
+fn every_feature_and_function_that_a_dialect_names_is_in_the_list() {
     for dialect in DialectName::ALL {
+        for name in dialect.rules().names.values() {
+            assert!(
+                SHIPPED.features.is_standard(name, dialect),
+                "`{name}` of {dialect}"
+            );
+        }
         let declared = &dialect.rules().features;
         for word in declared.has.iter().chain(&declared.lacks) {
             assert!(SHIPPED.features.get(word).is_some(), "`{word}` of {dialect}");

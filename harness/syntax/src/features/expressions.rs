@@ -254,9 +254,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         if let Some(ty) = ty {
             self.note_type(ty, span);
             let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
+            let is_duration = literal.kind == LiteralKind::Duration;
             self.note_if(is_number, "typed-literal", span);
             self.note_if(is_number && is_signed, "typed-literal-sign", span);
-            let is_duration = literal.kind == LiteralKind::Duration;
             self.note_if(is_duration && is_signed, "duration-sign", span);
         }
     }

@@ -101,7 +101,7 @@ impl<'s> Parser<'s, '_> {
 
     /// AND_THEN or OR_ELSE, and how tight it binds.
     fn short_circuit(&mut self, operator: BinaryOperator, precedence: u8) -> (BinaryOperator, u8) {
-        self.has("short-circuit", self.token().span, operator.symbol());
+        self.has("short-circuit", self.token().span, operator.as_str());
         (operator, precedence)
     }
 
@@ -147,14 +147,7 @@ impl<'s> Parser<'s, '_> {
     /// `(inner)`.
     fn parenthesized(&mut self) -> ParseResult<ExpressionId> {
         let start = self.token().span;
-        let inner = self.nested(|parser| {
-            parser.bump();
-            parser.open += 1;
-            let inner = parser.expression()?;
-            parser.require(TokenKind::RightParen)?;
-            parser.open -= 1;
-            Ok(inner)
-        })?;
+        let inner = self.nested(|parser| parser.bracketed(TokenKind::RightParen, Self::expression))?;
         self.grow(0)?;
         Ok(self.push(
             ExpressionKind::Parenthesized(inner),

@@ -60,7 +60,7 @@ impl<'s> Parser<'s, '_> {
         }
         match self.statement_kind() {
             Ok(kind) => {
-                let is_block = is_block(&kind);
+                let is_block = kind.is_block();
                 let span = first.to(self.previous_span());
                 let end = match is_block && self.dialect.ends_without_semicolon {
                     true => {
@@ -153,13 +153,4 @@ impl<'s> Parser<'s, '_> {
         let expression = self.expressions.get(id.0 as usize);
         expression.is_some_and(|expression| matches!(expression.kind, ExpressionKind::Call { .. }))
     }
-}
-
-/// The statement has an END_… of its own, so that what follows it does not make it doubtful.
-fn is_block(kind: &StatementKind) -> bool {
-    use StatementKind::{Case, For, If, Repeat, While};
-    matches!(
-        kind,
-        If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
-    )
 }

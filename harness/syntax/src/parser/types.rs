@@ -54,11 +54,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `STRING[n]`; `closer` closes what stands behind the name.
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let length = self.expression()?;
-        self.require(closer)?;
-        self.open -= 1;
+        let length = self.bracketed(closer, Self::expression)?;
         Ok(Kind::Text { name, length })
     }
 
@@ -70,11 +66,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `INT(low..high)`.
     fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let limits = self.limits()?;
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
         Ok(Kind::Subrange { base, limits })
     }
 
@@ -87,20 +79,11 @@ impl<'s> Parser<'s, '_> {
 
     /// `(RED, GREEN := 5)`.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut values = Vec::new();
-        loop {
-            let name = self.declared_name("the name of an enumerated value")?;
-            let has_value = self.eat(TokenKind::Assign);
-            let value = has_value.then(|| self.expression()).transpose()?;
-            values.push((name, value));
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let value = |parser: &mut Self| {
+            let name = parser.declared_name("the name of an enumerated value")?;
+            Ok((name, parser.optional(TokenKind::Assign, Self::expression)?))
+        };
+        let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         Ok(Kind::Enumeration { base, values })
     }
 
@@ -148,7 +131,7 @@ impl<'s> Parser<'s, '_> {
             _ => (1, &[PointerForm::RefTo]),
         };
         let begins_type = matches!(self.nth(behind), Name | Array | LeftParen | Struct);
-        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let word = |form: &PointerForm| form.as_str().split(' ').next().unwrap_or_default();
         let mut forms = forms.iter().copied();
         forms.find(|form| begins_type && self.at_word(word(form)))
     }
@@ -158,7 +141,7 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.eat(TokenKind::To);
         let span = start.to(self.previous_span());
-        let has = self.has(form.feature(), span, form.words());
+        let has = self.has(form.feature(), span, form.as_str());
         let target = Box::new(self.type_specification()?);
         Ok(match has {
             true => Kind::Pointer { form, target },
@@ -173,10 +156,9 @@ impl<'s> Parser<'s, '_> {
         let open = std::mem::take(&mut self.open);
         let fields = self.variable_groups(TokenKind::EndStruct);
         self.open = open;
-        Ok(if overlap {
-            Kind::Error
-        } else {
-            Kind::Structure(fields)
+        Ok(match overlap {
+            true => Kind::Error,
+            false => Kind::Structure(fields),
         })
     }
 
@@ -192,10 +174,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `.name.name` behind the name of a namespace.
     pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
+        self.skip_qualified_name();
         let span = start.to(self.previous_span());
         let text = span.text(self.text);
         let is_joined = text

@@ -55,15 +55,16 @@ impl<'s> Parser<'s, '_> {
         }
         let using = self.at_word("USING");
         self.bump();
-        self.qualified_name();
+        self.bump();
+        self.skip_qualified_name();
         if using {
             self.eat(TokenKind::Semicolon);
         }
         self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
     }
 
-    fn qualified_name(&mut self) {
-        self.bump();
+    /// Moves over `.name.name` behind the name of a namespace.
+    pub(super) fn skip_qualified_name(&mut self) {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();

@@ -118,7 +118,7 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// An operator between spaces, which words need even between brackets.
     fn operator(&mut self, operator: BinaryOperator) {
-        let symbol = operator.symbol();
+        let symbol = operator.as_str();
         if self.dense && !symbol.starts_with(|first: char| first.is_ascii_alphabetic()) {
             return self.put(symbol);
         }
