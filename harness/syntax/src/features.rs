@@ -300,6 +300,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             };
             self.note(key, location.span);
         }
+        self.note_if(group.edge.is_some(), "edge-input", group.specification.span);
         let is_field = at.is_field();
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));

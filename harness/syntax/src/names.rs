@@ -263,6 +263,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             | ExpressionKind::Part { .. }
             | ExpressionKind::Unary { .. }
             | ExpressionKind::Binary { .. }
+            | ExpressionKind::Assigned { .. }
             | ExpressionKind::Parenthesized(_)
             | ExpressionKind::Error => {}
         }

@@ -15,7 +15,7 @@ mod unit;
 
 pub use configuration::{Configuration, ProgramInstance, Resource, Task};
 pub use declarations::{
-    Access, ArrayElement, Declaration, Initializer, InitializerKind, Modifiers, PointerForm, Pou, PouKind,
+    Access, ArrayElement, Declaration, Edge, Initializer, InitializerKind, Modifiers, PointerForm, Pou, PouKind,
     TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};

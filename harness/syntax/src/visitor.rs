@@ -203,6 +203,7 @@ pub fn operands(expression: &Expression<'_>) -> Vec<(ExpressionId, Place)> {
             vec![(*operand, Place::Operand)]
         }
         ExpressionKind::Binary { left, right, .. } => vec![(*left, Place::Left), (*right, Place::Right)],
+        ExpressionKind::Assigned { target, value } => vec![(*target, Place::Target), (*value, Place::Value)],
         ExpressionKind::Call { callee, arguments } => {
             let arguments = arguments.iter().map(|argument| match argument {
                 Argument::Positional(value) => (*value, Place::Argument),

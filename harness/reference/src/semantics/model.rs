@@ -9,7 +9,7 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableBlock,
+    Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableBlock,
     VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
@@ -103,6 +103,8 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
+    /// The inputs with an edge qualifier. Behind each stand what the body sees in its place, and its value in the call before.
+    pub(super) edges: Vec<(u32, Edge)>,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.

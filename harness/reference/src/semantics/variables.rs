@@ -7,7 +7,7 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, Edge, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -180,6 +180,29 @@ impl<'u> Declarer<'u, '_> {
             value,
             ..variable
         });
+        if let Some(edge) = group.edge {
+            self.declare_edge(pou, index, ty, edge);
+        }
+    }
+
+    /// Declares what the body sees in place of an input with an edge qualifier, and the value of the input in the call before.
+    ///
+    /// Basis: iec-61131-3: 6.6.3.5.3 of the third edition (as if the input were that of an R_TRIG or F_TRIG).
+    fn declare_edge(&mut self, pou: usize, input: u32, ty: TypeId, edge: Edge) {
+        let DeclaredVariable { name, kind, .. } = self.model.variables[input as usize];
+        let entry = &mut self.model.pous[pou];
+        let has_body = matches!(entry.pou.kind, PouKind::FunctionBlock | PouKind::Program);
+        if !has_body || kind != VariableKind::Input || !matches!(ty, TypeId::BOOL | TypeId::ERROR) {
+            let message = format!("{edge} stands behind a BOOL input of a function block or program");
+            self.report(Code::SyntaxError, name.span, message);
+            return;
+        }
+        entry.edges.push((input, edge));
+        entry.scope.insert(CaseFolded(name.text), input + 1);
+        for _ in 0..2 {
+            let hidden = DeclaredVariable::new(name, TypeId::BOOL, VariableKind::Instance);
+            self.model.variables.push(hidden);
+        }
     }
 
     fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {
@@ -241,7 +264,8 @@ impl<'u> Declarer<'u, '_> {
             size = inherited.size.into();
             (extent.text_units, extent.depth) = (inherited.text_units, inherited.depth);
         }
-        let mut zero = !has_type_number;
+        // Before the first call an input may count as TRUE.
+        let mut zero = !has_type_number && entry.edges.is_empty();
         for index in variables {
             let variable = &mut self.model.variables[index as usize];
             let offset = u32::try_from(size).unwrap_or(u32::MAX);

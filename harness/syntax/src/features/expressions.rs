@@ -19,7 +19,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         at: &Context<'t, 's>,
     ) {
         use ExpressionKind::{
-            Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
+            Assigned, Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
             Parenthesized, Part, Unary,
         };
         let span = expression.span;
@@ -50,6 +50,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             Index { .. } => "array-element",
             Dereference { .. } => "dereference",
+            Assigned { .. } => "assignment-expression",
             Bit { .. } if !span.text(self.text).contains('%') => "bit-access",
             Unary { operator, .. } => match operator {
                 UnaryOperator::Negate if self.negates_literal(expression, at) => return,

@@ -19,7 +19,8 @@ impl<'s> Parser<'s, '_> {
             "property" | "var-inst" | "structure-extends" | "pointer-to-this" => {
                 (Code::UnexpectedToken, extension)
             }
-            "pointer" | "reference-to" | "reference-binding" | "short-circuit" | "var-stat" | "union" => {
+            "pointer" | "reference-to" | "reference-binding" | "short-circuit" | "var-stat" | "union"
+            | "assignment-expression" => {
                 (Code::SyntaxError, extension)
             }
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),

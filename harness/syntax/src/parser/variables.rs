@@ -5,7 +5,7 @@ use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{
-    Access, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Access, Edge, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
     VariableKind,
 };
 use stickler_types::Code;
@@ -185,7 +185,10 @@ impl<'s> Parser<'s, '_> {
         let mut group = self.empty_group();
         match self.names_and_type(&mut group, closer) {
             Ok(specification) => {
-                self.unsupported_edge();
+                group.edge = Edge::from_word(&self.word().to_ascii_uppercase());
+                if group.edge.is_some() {
+                    self.bump();
+                }
                 group.initializer = self.optional_initializer(&specification);
                 group.specification = specification;
             }
@@ -203,6 +206,7 @@ impl<'s> Parser<'s, '_> {
             names: Vec::with_capacity(1),
             location: None,
             specification: error_specification(self.previous_span()),
+            edge: None,
             initializer: None,
         }
     }

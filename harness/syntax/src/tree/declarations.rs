@@ -207,8 +207,20 @@ pub struct VariableGroup<'s> {
     pub location: Option<Name<'s>>,
     /// Their common type.
     pub specification: TypeSpecification<'s>,
+    /// The edge of the input that the block sees in its place.
+    pub edge: Option<Edge>,
     /// Their common initial value.
     pub initializer: Option<Initializer<'s>>,
+}
+
+words! {
+    /// The edge qualifier of an input.
+    Edge {
+        /// R_EDGE: TRUE in the call in which the input becomes TRUE.
+        Rising = "R_EDGE",
+        /// F_EDGE: TRUE in the call in which the input becomes FALSE.
+        Falling = "F_EDGE",
+    }
 }
 
 impl VariableGroup<'_> {
