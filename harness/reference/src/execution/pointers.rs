@@ -139,7 +139,9 @@ impl<'p> Machine<'p> {
                 }
                 let length = units.iter().position(|&unit| unit == 0);
                 match to_cells {
-                    true => self.memory.store_text(cell, &units[..length.unwrap_or(units.len())]),
+                    true => self
+                        .memory
+                        .store_text(cell, &units[..length.unwrap_or(units.len())]),
                     false => Ok(()),
                 }
             }
@@ -167,8 +169,8 @@ impl<'p> Machine<'p> {
     /// The raw form of a plain value of some bytes, each of which lies in a cell of its own; `None` where there are no such cells.
     #[must_use]
     pub fn plain_in_bytes(&self, cell: Address, size: u32, ty: ElementaryType) -> Option<u64> {
-        let bytes = (0..size).rev().map(|index| self.plain(cell + index));
-        let bits = bytes.fold(Some(0), |bits, byte| Some(bits? << 8 | byte?))?;
+        let mut bytes = (0..size).rev();
+        let bits = bytes.try_fold(0, |bits, index| Some(bits << 8 | self.plain(cell + index)?))?;
         Some(raw_form(ty, size, bits))
     }
 

@@ -191,10 +191,6 @@ impl<'m> Lowering<'m> {
             Code::FunctionInvocationMissingInput
         };
         let name = self.model.variable(missing).name.text;
-        self.report(
-            code,
-            call,
-            format!("`{name}`, which is passed by address, needs an argument"),
-        );
+        self.report(code, call, format!("`{name}` needs an argument"));
     }
 }

@@ -89,11 +89,9 @@ impl<'m> Lowering<'m> {
             return LoweredValue::ERROR;
         };
         if !shape.has_plain_limits() {
-            self.report(
-                code,
-                self.span(values[0]),
-                "limits that a DINT does not hold are not implemented",
-            );
+            let message = "limits that no DINT holds, and more than 16 dimensions, are not implemented here";
+            self.report(Code::NotImplemented, self.span(values[0]), message);
+            return LoweredValue::ERROR;
         }
         let dimensions = shape.dimensions.len();
         let result = LoweredValue::of(ElementaryType::Dint);

@@ -115,13 +115,11 @@ impl ArrayShape {
         self.length == 0
     }
 
-    /// Returns whether all limits are numbers of the type that LOWER_BOUND and UPPER_BOUND have.
+    /// Returns whether the limits are DINT, as LOWER_BOUND gives them, of so few dimensions that each call may pass them all.
     pub(super) fn has_plain_limits(&self) -> bool {
-        let mut limits = self
-            .dimensions
-            .iter()
-            .flat_map(|dimension| [dimension.low, dimension.high]);
-        limits.all(|limit| i32::try_from(limit).is_ok())
+        let is_dint = |limit: i64| i32::try_from(limit).is_ok();
+        let mut dimensions = self.dimensions.iter();
+        self.dimensions.len() <= 16 && dimensions.all(|limits| is_dint(limits.low) && is_dint(limits.high))
     }
 }
 
