@@ -170,7 +170,6 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
-            edges: Vec::new(),
             ty: TypeId::ERROR,
             body,
             initial,

@@ -151,6 +151,7 @@ impl<'m> Lowering<'m> {
     /// that are declared later do not count.
     pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m DeclaredVariable<'m>)> {
         let local = self.entry().and_then(|entry| self.local(entry, name));
+        let local = local.map(|index| index + u32::from(self.model.variable(index).edge.is_some()));
         let limited = local.is_some() || self.pou.is_none();
         let index = local.or_else(|| self.model.globals.get(&CaseFolded(name)).copied())?;
         let variable = &self.model.variables[index as usize];

@@ -9,8 +9,8 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableBlock,
-    VariableGroup, VariableKind,
+    Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit,
+    VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
@@ -103,8 +103,6 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
-    /// The inputs with an edge qualifier. Behind each stand what the body sees in its place, and its value in the call before.
-    pub(super) edges: Vec<(u32, Edge)>,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.
@@ -191,6 +189,8 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) constant: bool,
     /// Whether it stands in a section that is PUBLIC or INTERNAL.
     pub(super) is_public: bool,
+    /// The edge qualifier of an input, behind which stand what the body sees in its place, and its value in the call before.
+    pub(super) edge: Option<Edge>,
     /// The location.
     pub(super) storage: Storage,
     /// The initial value.
@@ -212,6 +212,7 @@ impl<'u> DeclaredVariable<'u> {
             limits: 0,
             constant: false,
             is_public: false,
+            edge: None,
             storage: Storage::Absolute(0),
             initializer: None,
             repeated: false,

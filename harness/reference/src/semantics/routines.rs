@@ -129,11 +129,13 @@ impl<'m> Lowering<'m> {
     /// Sets the inputs with a falling edge to TRUE for the call before the first, where that one falls at FALSE.
     fn begin_edges(&mut self, entry: &'m PouEntry<'m>) {
         let falls = self.model.source.dialect.first_call_falls;
-        for &(input, _) in entry.edges.iter().filter(|(_, edge)| *edge == Edge::Falling && falls) {
-            let before = VariablePlace::of(self.model.variable(input + 2));
-            self.begin_store(before);
-            self.emit(Instruction::Push(1));
-            self.finish_store(before, entry.pou.name.span);
+        for input in entry.variables.clone().filter(|_| falls) {
+            if self.model.variable(input).edge == Some(Edge::Falling) {
+                let before = VariablePlace::of(self.model.variable(input + 2));
+                self.begin_store(before);
+                self.emit(Instruction::Push(1));
+                self.finish_store(before, entry.pou.name.span);
+            }
         }
     }
 
@@ -141,8 +143,11 @@ impl<'m> Lowering<'m> {
     fn detect_edges(&mut self, entry: &'m PouEntry<'m>) {
         let (model, span) = (self.model, entry.pou.name.span);
         let Some(pou) = self.pou else { return };
-        for &(input, edge) in model.levels(pou).iter().flat_map(|level| &level.edges) {
-            let [now, seen, before] = [0, 1, 2].map(|behind| VariablePlace::of(model.variable(input + behind)));
+        let levels = model.levels(pou);
+        let variables = levels.iter().flat_map(|level| level.variables.clone());
+        for (input, edge) in variables.filter_map(|index| Some((index, model.variable(index).edge?))) {
+            let [now, seen, before] =
+                [0, 1, 2].map(|behind| VariablePlace::of(model.variable(input + behind)));
             let (is_true, is_false) = match edge {
                 Edge::Rising => (now, before),
                 Edge::Falling => (before, now),

@@ -190,15 +190,16 @@ impl<'u> Declarer<'u, '_> {
     /// Basis: iec-61131-3: 6.6.3.5.3 of the third edition (as if the input were that of an R_TRIG or F_TRIG).
     fn declare_edge(&mut self, pou: usize, input: u32, ty: TypeId, edge: Edge) {
         let DeclaredVariable { name, kind, .. } = self.model.variables[input as usize];
-        let entry = &mut self.model.pous[pou];
-        let has_body = matches!(entry.pou.kind, PouKind::FunctionBlock | PouKind::Program);
+        let has_body = matches!(
+            self.model.pous[pou].pou.kind,
+            PouKind::FunctionBlock | PouKind::Program
+        );
         if !has_body || kind != VariableKind::Input || !matches!(ty, TypeId::BOOL | TypeId::ERROR) {
             let message = format!("{edge} stands behind a BOOL input of a function block or program");
             self.report(Code::SyntaxError, name.span, message);
             return;
         }
-        entry.edges.push((input, edge));
-        entry.scope.insert(CaseFolded(name.text), input + 1);
+        self.model.variables[input as usize].edge = Some(edge);
         for _ in 0..2 {
             let hidden = DeclaredVariable::new(name, TypeId::BOOL, VariableKind::Instance);
             self.model.variables.push(hidden);
@@ -264,8 +265,7 @@ impl<'u> Declarer<'u, '_> {
             size = inherited.size.into();
             (extent.text_units, extent.depth) = (inherited.text_units, inherited.depth);
         }
-        // Before the first call an input may count as TRUE.
-        let mut zero = !has_type_number && entry.edges.is_empty();
+        let mut zero = !has_type_number;
         for index in variables {
             let variable = &mut self.model.variables[index as usize];
             let offset = u32::try_from(size).unwrap_or(u32::MAX);
@@ -281,7 +281,9 @@ impl<'u> Declarer<'u, '_> {
                     size += u64::from(inner.size);
                     extent.text_units = extent.text_units.saturating_add(inner.text_units);
                     extent.depth = extent.depth.max(inner.depth);
-                    zero &= variable.initializer.is_none() && inner.default == DefaultValue::Zero;
+                    // Before the first call an input with an edge qualifier may count as TRUE.
+                    zero &= variable.initializer.is_none() && variable.edge.is_none();
+                    zero &= inner.default == DefaultValue::Zero;
                 }
             }
             let member = TypeMember {

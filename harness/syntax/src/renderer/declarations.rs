@@ -3,8 +3,8 @@
 use super::names::NameShape;
 use super::writer::Writer;
 use crate::tree::{
-    Access, ArrayElement, CaseFolded, Configuration, Declaration, Edge, Initializer, InitializerKind, Name, Pou,
-    PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    Access, ArrayElement, CaseFolded, Configuration, Declaration, Edge, Initializer, InitializerKind, Name,
+    Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
     VariableGroup,
 };
 use rustc_hash::FxHashMap;
