@@ -80,12 +80,12 @@ impl<'m> Lowering<'m> {
         let place = self.whole_place(values[0], code, what);
         // Only the limits are asked for.
         self.emitter.truncate(start);
-        let shape = place.and_then(|place| Some((place, self.array_shape(place)?)));
-        if let (Some(_), None) = (place, shape) {
-            self.report(code, self.span(values[0]), what);
-        }
         let dimension = self.integer(values[1], ElementaryType::Dint, ValueContext::Argument);
-        let (Some((place, shape)), Some(dimension)) = (shape, dimension) else {
+        let (Some(place), Some(dimension)) = (place, dimension) else {
+            return LoweredValue::ERROR;
+        };
+        let Some(shape) = self.array_shape(place) else {
+            self.report(code, self.span(values[0]), what);
             return LoweredValue::ERROR;
         };
         if !shape.has_plain_limits() {
@@ -94,19 +94,11 @@ impl<'m> Lowering<'m> {
             return LoweredValue::ERROR;
         }
         let dimensions = shape.dimensions.len();
-        let result = LoweredValue::of(ElementaryType::Dint);
-        if let Some(number) = dimension.constant {
-            self.emitter.truncate(start);
-            match u32::try_from(number) {
-                Ok(number) if (1..=dimensions).contains(&(number as usize)) => {
-                    self.push_limit(place, 3 * (number - 1) + limit);
-                }
-                _ => {
-                    let message = format!("the array has the dimensions 1 to {dimensions}, and no {number}");
-                    self.report(Code::ArrayDimensionInvalid, self.span(values[1]), message);
-                }
-            }
-            return result;
+        if let Some(number) = dimension.constant
+            && !(1..=dimensions as i128).contains(&number)
+        {
+            let message = format!("the array has the dimensions 1 to {dimensions}, and no {number}");
+            self.report(Code::ArrayDimensionInvalid, self.span(values[1]), message);
         }
         self.emit(Instruction::Push(1));
         let subtract = ArithmeticOperator::Subtract;
@@ -115,6 +107,6 @@ impl<'m> Lowering<'m> {
             self.push_limit(place, 3 * index + limit);
         }
         self.emit_standard(call, StandardFunction::Mux, ElementaryType::Dint, (dimensions, 1));
-        result
+        LoweredValue::of(ElementaryType::Dint)
     }
 }
