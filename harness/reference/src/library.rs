@@ -24,7 +24,7 @@ const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 /// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented.
 ///
 /// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
-const NOT_IMPLEMENTED: &str = "BITADR INDEXOF LOWER_BOUND RTC TEST_AND_SET UPPER_BOUND XSIZEOF";
+const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {
