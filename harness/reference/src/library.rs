@@ -79,6 +79,11 @@ pub(crate) fn with_blocks(
     (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
 }
 
+/// Returns whether a name is that of a standard function block, of whose variables only inputs and outputs are known to programs.
+pub(crate) fn has_block(name: &str) -> bool {
+    block(&name.to_ascii_uppercase(), &Dialect::DEFAULT).is_some()
+}
+
 /// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`, as a dialect has it; `None` for
 /// other names.
 fn block(name: &str, dialect: &Dialect) -> Option<String> {
