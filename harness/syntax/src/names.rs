@@ -208,8 +208,10 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }

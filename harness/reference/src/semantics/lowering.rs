@@ -189,10 +189,12 @@ impl<'m> Lowering<'m> {
     /// Takes room for a value of a type.
     pub(super) fn temporary_of(&mut self, ty: TypeId, span: Span) -> u32 {
         let model = self.model;
-        self.memory.allocate(&model.types, ty).unwrap_or_else(|| {
+        let cell = self.memory.allocate(&model.types, ty).unwrap_or_else(|| {
             self.report(Code::LimitExceeded, span, "the program needs too much memory");
             0
-        })
+        });
+        self.addresses.temporaries.push((cell, ty));
+        cell
     }
 
     /// Notes that the POU calls another.

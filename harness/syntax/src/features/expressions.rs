@@ -292,6 +292,7 @@ fn family(name: &str) -> Option<&'static str> {
         ("SPLIT", Some(_)) => "split-date-time",
         ("DAY", None) if rest == "OF_WEEK" => "day-of-week",
         ("TO" | "FROM", None) if rest.ends_with("_ENDIAN") => "byte-order",
+        ("LOWER" | "UPPER", None) if rest == "BOUND" => "bound-function",
         ("IS", None) if rest.starts_with("VALID") => "validity",
         _ => return None,
     })

@@ -24,6 +24,7 @@ impl<'s> Parser<'s, '_> {
             | "reference-binding"
             | "short-circuit"
             | "var-stat"
+            | "union"
             | "assignment-expression" => (Code::SyntaxError, extension),
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };

@@ -104,15 +104,6 @@ impl<'s> Parser<'s, '_> {
             && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
-    /// `UNION … END_UNION`; says whether there was one.
-    pub(super) fn unsupported_union(&mut self) -> bool {
-        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&["UNION"], "unions (UNION)");
-        if found {
-            self.skip_past_word("END_UNION");
-        }
-        found
-    }
-
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
     /// of a chart, a jump or a label.
     pub(super) fn unsupported_statement(&mut self) -> ParseResult<()> {

@@ -180,6 +180,14 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" OF ");
                 self.specification(element);
             }
+            TypeSpecificationKind::VariableLengthArray { dimensions, element } => {
+                self.put("ARRAY");
+                self.between_brackets(|writer| {
+                    writer.list(0..*dimensions, |writer, _| writer.put("*"));
+                });
+                self.put(" OF ");
+                self.specification(element);
+            }
             TypeSpecificationKind::Pointer { form, target } => {
                 self.put(form.as_str());
                 self.put(" ");
@@ -200,12 +208,15 @@ impl<'u, 's> Writer<'u, 's> {
                 });
                 self.put(")");
             }
-            TypeSpecificationKind::Structure(fields) => {
-                self.put("STRUCT");
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                let is_union = matches!(specification.kind, TypeSpecificationKind::Union(_));
+                let word = ["STRUCT", "UNION"][usize::from(is_union)];
+                self.put(word);
                 self.end();
                 self.groups(fields);
                 self.begin();
-                self.put("END_STRUCT");
+                self.put("END_");
+                self.put(word);
             }
             TypeSpecificationKind::Error => {}
         }
