@@ -60,37 +60,59 @@ impl Program {
     /// are omitted because they have no elementary type; they enter the checksum.
     #[must_use]
     pub fn observed(&self) -> Vec<(String, ElementaryType)> {
+        let parts = self.observed_parts().into_iter();
+        parts.map(|part| (part.path, part.ty)).collect()
+    }
+
+    /// Returns the parts of the variables of main that [`Program::observed`] names.
+    pub(crate) fn observed_parts(&self) -> Vec<ObservedPart> {
         let mut found = Vec::new();
-        for variable in &self.main.variables {
-            self.observe(&variable.name, &variable.ty, &mut found);
+        for (number, variable) in self.main.variables.iter().enumerate() {
+            self.observe((&variable.name, &[number]), &variable.ty, &mut found);
         }
         found
     }
 
-    fn observe(&self, path: &str, ty: &Type, found: &mut Vec<(String, ElementaryType)>) {
+    fn observe(&self, (path, numbers): (&str, &[usize]), ty: &Type, found: &mut Vec<ObservedPart>) {
+        let mut inside = |name: String, number: usize, ty: &Type| {
+            let numbers = [numbers, &[number]].concat();
+            self.observe((&format!("{path}{name}"), &numbers), ty, found);
+        };
         match self.unaliased(ty) {
-            Type::Elementary(ty) => found.push((path.to_owned(), *ty)),
+            Type::Elementary(ty) => found.push(ObservedPart {
+                path: path.to_owned(),
+                ty: *ty,
+                numbers: numbers.to_vec(),
+            }),
             Type::Array(array) => {
-                for subscripts in subscripts(array) {
-                    self.observe(&format!("{path}[{}]", joined(&subscripts)), &array.element, found);
+                for (number, subscripts) in subscripts(array).iter().enumerate() {
+                    inside(format!("[{}]", joined(subscripts)), number, &array.element);
                 }
             }
             Type::Declared(_) => {
-                for (name, field, _) in self.fields(ty).unwrap_or_default() {
-                    self.observe(&format!("{path}.{name}"), field, found);
+                for (number, (name, field, _)) in self.fields(ty).unwrap_or_default().iter().enumerate() {
+                    inside(format!(".{name}"), number, field);
                 }
             }
             Type::Block(block) => {
-                let variables = self.blocks.get(*block).map_or(&[][..], |block| &block.variables);
-                for output in variables
-                    .iter()
-                    .filter(|variable| variable.section == VariableSection::Output)
-                {
-                    self.observe(&format!("{path}.{}", output.name), &output.ty, found);
+                for (number, output) in Unit::Block(*block).variables(self).iter().enumerate() {
+                    if output.section == VariableSection::Output {
+                        inside(format!(".{}", output.name), number, &output.ty);
+                    }
                 }
             }
         }
     }
+}
+
+/// An elementary value in a variable of main.
+pub(crate) struct ObservedPart {
+    /// The variable with its fields, subscripts and outputs, as [`Program::observed`] writes them.
+    pub path: String,
+    /// The type of the value.
+    pub ty: ElementaryType,
+    /// The number of the variable, then that of the field, element or output, and so on.
+    pub numbers: Vec<usize>,
 }
 
 impl Pou {
