@@ -5,8 +5,8 @@ use crate::parse;
 use crate::token::{Token, TokenKind, tokens};
 use crate::tree::{
     Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou,
-    PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup,
-    VariableKind,
+    PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use std::collections::HashSet;
@@ -40,6 +40,8 @@ pub struct DeclaredName<'t, 's> {
     pub inside: Option<&'t Pou<'s>>,
     /// The declaration of a variable or a field; `None` for other names.
     pub group: Option<&'t VariableGroup<'s>>,
+    /// The section of a variable; `None` for other names.
+    pub section: Option<&'t VariableBlock<'s>>,
 }
 
 /// What a name stands for where it is used.
@@ -154,13 +156,14 @@ impl<'t, 's> Names<'t, 's> {
         name: Name<'s>,
         kind: DeclaredKind,
         inside: Option<&'t Pou<'s>>,
-        group: Option<&'t VariableGroup<'s>>,
+        of_variable: Option<(&'t VariableGroup<'s>, Option<&'t VariableBlock<'s>>)>,
     ) {
         self.declared.push(DeclaredName {
             name,
             kind,
             inside,
-            group,
+            group: of_variable.map(|(group, _)| group),
+            section: of_variable.and_then(|(_, section)| section),
         });
     }
 
@@ -191,14 +194,15 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         let is_field = at
             .section
             .is_none_or(|section| !section.groups.iter().any(|one| std::ptr::eq(one, group)));
-        let (kind, inside) = match at.section.filter(|_| !is_field) {
+        let section = at.section.filter(|_| !is_field);
+        let (kind, inside) = match section {
             Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
             None => (DeclaredKind::Field, None),
         };
         // Of VAR_CONFIG the names are paths to variables that are declared elsewhere.
         let is_declared = kind != DeclaredKind::Variable(VariableKind::Configured);
         for name in group.names.iter().filter(|_| is_declared) {
-            self.declare(*name, kind, inside, Some(group));
+            self.declare(*name, kind, inside, Some((group, section)));
         }
     }
 

@@ -2,12 +2,12 @@
 
 use super::claim::Direction;
 use super::forms::Forms;
-use super::names::{SourceNames, Variables};
+use super::names::SourceNames;
 use rustc_hash::FxHashMap;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    BinaryOperator, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind,
-    SourceUnit, Statement, StatementKind, TypeDeclaration, VariableBlock, VariableGroup, VariableKind,
+    BinaryOperator, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, PouKind,
+    SourceUnit, Statement, StatementKind, TypeDeclaration, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
 
@@ -56,7 +56,7 @@ impl Standings {
             forms: Forms {
                 unit,
                 names: &names,
-                variables: Variables::default(),
+                pou: None,
             },
             lines,
             found: vec![None; unit.expressions.len()],
@@ -93,19 +93,8 @@ struct PlaceOfStatement {
 }
 
 impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
-    fn pou(&mut self, pou: &'u Pou<'u>, _: &Context<'u, 'u>) {
-        self.forms.variables = Variables::new(pou);
-    }
-
     fn type_declaration(&mut self, declared: &'u TypeDeclaration<'u>, _: &Context<'u, 'u>) {
-        self.forms.variables = Variables::default();
         self.initial(declared.initializer.as_ref(), "type-initial-value");
-    }
-
-    fn section(&mut self, _: &'u VariableBlock<'u>, at: &Context<'u, 'u>) {
-        if at.pou.is_none() {
-            self.forms.variables = Variables::default();
-        }
     }
 
     fn variables(&mut self, group: &'u VariableGroup<'u>, at: &Context<'u, 'u>) {
@@ -175,6 +164,7 @@ impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
         around: Option<ExpressionId>,
         at: &Context<'u, 'u>,
     ) {
+        self.forms.pou = at.pou;
         let place = match around {
             Some(around) => {
                 self.found[around.0 as usize].and_then(|outer| self.part(place, (around, outer), at))
