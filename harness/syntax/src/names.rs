@@ -4,11 +4,10 @@ use crate::features::with_all_syntax;
 use crate::parse;
 use crate::token::{Token, TokenKind, tokens};
 use crate::tree::{
-    Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou,
-    PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup, VariableKind,
+    Argument, Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, PouKind, SourceUnit,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
-use crate::visitor::{Context, Place, Visitor, walk};
+use crate::visitor::{Context, Part, Place, Visitor, walk};
 use std::collections::HashSet;
 use stickler_types::{Code, Dialect};
 
@@ -236,17 +235,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         }
     }
 
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'s>),
-        place: Place,
-        _: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        match &expression.kind {
+    fn expression(&mut self, part: Part<'t, 's>, at: &Context<'t, 's>) {
+        match &part.expression.kind {
             ExpressionKind::Name(name) if name.text.ends_with('^') => {}
             ExpressionKind::Name(name) => {
-                let kind = match place {
+                let kind = match part.place {
                     Place::Callee => UseKind::Callee,
                     _ => UseKind::Value,
                 };

@@ -6,10 +6,10 @@ use super::names::SourceNames;
 use rustc_hash::FxHashMap;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    BinaryOperator, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, PouKind,
-    SourceUnit, Statement, StatementKind, TypeDeclaration, VariableGroup, VariableKind,
+    BinaryOperator, ExpressionId, ExpressionKind, Initializer, InitializerKind, PouKind, SourceUnit,
+    Statement, StatementKind, TypeDeclaration, VariableGroup, VariableKind,
 };
-use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
+use stickler_syntax::visitor::{Context, Part, Place, Visitor, bodies, walk};
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -157,19 +157,14 @@ impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
         self.statements.extend(found);
     }
 
-    fn expression(
-        &mut self,
-        (id, _): (ExpressionId, &'u Expression<'u>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'u, 'u>,
-    ) {
+    fn expression(&mut self, part: Part<'u, 'u>, at: &Context<'u, 'u>) {
+        let id = part.id;
         self.forms.pou = at.pou;
-        let place = match around {
+        let place = match part.around {
             Some(around) => {
-                self.found[around.0 as usize].and_then(|outer| self.part(place, (around, outer), at))
+                self.found[around.0 as usize].and_then(|outer| self.part(part.place, (around, outer), at))
             }
-            None => self.whole(id, place, at),
+            None => self.whole(id, part.place, at),
         };
         self.found[id.0 as usize] = place.map(|place| match place.written && place.call.is_none() {
             // The source is that of the value.
