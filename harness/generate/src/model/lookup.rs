@@ -53,6 +53,29 @@ impl Program {
         }
     }
 
+    /// Returns the parts that a type directly consists of, each with its type: the elements of an array at once, the fields of a structure,
+    /// or the outputs of a function block, which alone every compiler lets its environment read.
+    #[must_use]
+    pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t Type)> {
+        match self.unaliased(ty) {
+            Type::Elementary(_) => Vec::new(),
+            Type::Array(array) => vec![(PathStep::Index(array.dimensions.clone()), &array.element)],
+            ty @ Type::Declared(_) => {
+                let fields = self.fields(ty).unwrap_or_default().iter().enumerate();
+                fields
+                    .map(|(field, (_, ty, _))| (PathStep::Field(field), ty))
+                    .collect()
+            }
+            Type::Block(block) => {
+                let variables = Unit::Block(*block).variables(self).iter().enumerate();
+                let outputs = variables.filter(|(_, variable)| variable.section == VariableSection::Output);
+                outputs
+                    .map(|(number, output)| (PathStep::Output(VariableId(number)), &output.ty))
+                    .collect()
+            }
+        }
+    }
+
     /// Returns the path and the type of each elementary value in the variables of main, checksums included, in the order of
     /// the declarations. In arrays the last subscript varies fastest; there are no blanks in `a[1,2]`.
     ///
@@ -103,6 +126,17 @@ impl Program {
             }
         }
     }
+}
+
+/// A step from a variable to a part of it, before its subscripts are chosen.
+#[derive(Clone, PartialEq, Debug)]
+pub enum PathStep {
+    /// To the elements of an array, by the limits of its dimensions.
+    Index(Vec<(i64, i64)>),
+    /// To a field of a structure.
+    Field(usize),
+    /// To an output of a function block instance.
+    Output(VariableId),
 }
 
 /// An elementary value in a variable of main.
