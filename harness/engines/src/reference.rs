@@ -62,16 +62,12 @@ impl Engine for Reference {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(ReferenceSession { limits: self.limits }))
+        Ok(Box::new(self))
     }
 }
 
-/// A session of the reference, which keeps nothing between requests.
-struct ReferenceSession {
-    limits: reference::Limits,
-}
-
-impl Session for ReferenceSession {
+/// A session keeps nothing between requests.
+impl Session for &Reference {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         reference::run(request, self.limits).unwrap_or_else(|error| Outcome::Error {
             message: error.to_string(),

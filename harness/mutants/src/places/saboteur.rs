@@ -106,18 +106,16 @@ impl Engine for SabotagedReference {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(SabotagedSession(self.saboteur)))
+        Ok(Box::new(self))
     }
 }
 
-struct SabotagedSession(Saboteur);
-
-impl SabotagedSession {
+impl SabotagedReference {
     /// Returns the program with the changes of the saboteur; `None` where it changes nothing.
     fn sabotaged<'s>(&self, source: &'s str, dialect: &Dialect, rendered: bool) -> Option<Analysis<'s>> {
         let mut analysis = Analysis::new(source, dialect);
         let sites = sites(&analysis, rendered);
-        let changes = self.0.changes(&sites);
+        let changes = self.saboteur.changes(&sites);
         if changes.is_empty() {
             return None;
         }
@@ -126,7 +124,7 @@ impl SabotagedSession {
     }
 }
 
-impl Session for SabotagedSession {
+impl Session for &SabotagedReference {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let dialect = Dialect::of(request.dialect);
         let outcome = match self.sabotaged(request.source, dialect, false) {
@@ -157,7 +155,7 @@ impl Session for SabotagedSession {
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
         let rendered = match self.sabotaged(source, Dialect::of(dialect), true) {
             Some(analysis) if !analysis.is_rejected() => Ok(stickler_syntax::render(&analysis.unit, source)),
-            Some(analysis) if self.0.rule.refuses_rendering() => Err(located(analysis)),
+            Some(analysis) if self.saboteur.rule.refuses_rendering() => Err(located(analysis)),
             _ => reference::render(source, dialect),
         };
         match rendered {

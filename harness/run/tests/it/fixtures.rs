@@ -213,15 +213,13 @@ impl Engine for Puppet {
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         (self.open)()?;
-        Ok(Box::new(PuppetSession(self)))
+        Ok(Box::new(self))
     }
 }
 
-struct PuppetSession<'e>(&'e Puppet);
-
-impl Session for PuppetSession<'_> {
+impl Session for &Puppet {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        (self.0.run)(request)
+        (self.run)(request)
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
@@ -229,7 +227,7 @@ impl Session for PuppetSession<'_> {
     }
 
     fn render(&mut self, _: DialectName, source: &str) -> Outcome {
-        (self.0.render)(source)
+        (self.render)(source)
     }
 }
 
