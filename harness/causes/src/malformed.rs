@@ -104,13 +104,11 @@ pub(crate) fn size_of_integer(literal: &str) -> Option<&'static str> {
 /// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
 pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
     let own = type_of_word(literal).filter(|_| literal.contains('#'));
-    let number = number_of_literal(literal);
-    let holds = |ty: ElementaryType| {
-        let (least, most) = ty.integer_range()?;
-        Some((least..=most).contains(&number?))
+    let Some((own, number)) = own.zip(number_of_literal(literal)) else {
+        return false;
     };
-    let is_held = target.is_some_and(|ty| ty.is_real() || holds(ty) == Some(true));
-    own.and_then(holds) == Some(false) && is_held
+    let is_held = target.is_some_and(|ty| ty.is_real() || ty.holds(number));
+    own.integer_range().is_some() && !own.holds(number) && is_held
 }
 
 /// Returns the number that an integer literal is, in any base; `None` of another literal, and of one that 128 bits do not hold.

@@ -29,8 +29,7 @@ pub fn literal(value: &Value) -> String {
 #[must_use]
 pub fn untyped_literal(value: &Value) -> String {
     let typed = literal(value);
-    let is_number =
-        ElementaryType::from_name(value.type_name()).is_some_and(|ty| ty.is_integer() || ty.is_real());
+    let is_number = ElementaryType::from_name(value.type_name()).is_some_and(ElementaryType::is_number);
     match typed.split_once('#') {
         Some((_, number)) if is_number => number.to_owned(),
         _ => typed,

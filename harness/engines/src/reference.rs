@@ -62,12 +62,17 @@ impl Engine for Reference {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(self))
+        Ok(Box::new(ReferenceSession { limits: self.limits }))
     }
 }
 
-/// A session keeps nothing between requests.
-impl Session for &Reference {
+/// A session of the reference, which keeps nothing between requests.
+#[derive(Default)]
+pub(crate) struct ReferenceSession {
+    limits: reference::Limits,
+}
+
+impl Session for ReferenceSession {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         reference::run(request, self.limits).unwrap_or_else(|error| Outcome::Error {
             message: error.to_string(),

@@ -9,7 +9,6 @@ mod tested;
 mod texts;
 mod vendors;
 
-use crate::choices::choices_of;
 use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
@@ -36,7 +35,7 @@ pub struct Expected {
 /// for operands that do not fit.
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
-    let choices = choices_of(dialect);
+    let choices = dialect.rules().conversions;
     let call = UnaryCall::of(signature, operands, dialect);
     let basis = call.and_then(|(call, operand)| match dialect.definition() {
         None => call.basis(operand),
@@ -66,7 +65,7 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
     let call = UnaryCall::of(signature, operands, dialect);
     call.zip(dialect.definition())
         .is_some_and(|((call, operand), definition)| {
-            call.is_overridden(operand, definition, &choices_of(dialect))
+            call.is_overridden(operand, definition, &dialect.rules().conversions)
         })
 }
 
@@ -255,9 +254,10 @@ impl<'s> UnaryCall<'s> {
         match (self.from.family(), self.to.family()) {
             (Real, Signed) => (self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
                 .then_some(STANDARD_ROUNDING),
-            (Signed | Unsigned, Signed | Unsigned) => {
-                integer::holds(self.to, integer::number(raw, self.from)).then_some(STANDARD_INTEGERS)
-            }
+            (Signed | Unsigned, Signed | Unsigned) => self
+                .to
+                .holds(integer::number(raw, self.from))
+                .then_some(STANDARD_INTEGERS),
             (BitString, BitString) => Some(BITS_TO_BITS),
             // Of other widths, nothing that we can read says which bits are taken over.
             (BitString, Signed | Unsigned) | (Signed | Unsigned, BitString) => {
@@ -300,8 +300,7 @@ impl<'s> UnaryCall<'s> {
                 Family::Signed | Family::Unsigned | Family::Real | Family::BitString | Family::Boolean,
             ) => {
                 let units = moment::units(raw, self.from, calendar);
-                let holds =
-                    self.to.is_real() || self.to == ElementaryType::Bool || integer::holds(self.to, units);
+                let holds = self.to.is_real() || self.to == ElementaryType::Bool || self.to.holds(units);
                 (holds && moment::has_whole_units(raw, self.from, calendar)).then_some(units)
             }
             (Family::Signed | Family::Unsigned | Family::BitString | Family::Boolean, Family::Duration) => {
@@ -332,7 +331,7 @@ impl<'s> UnaryCall<'s> {
 
     /// Returns the basis of `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
     fn of_text(self, from: ElementaryType, units: &[u16]) -> Option<&'static str> {
-        let is_listed = from == ElementaryType::String && (self.to.is_integer() || self.to.is_real());
+        let is_listed = from == ElementaryType::String && self.to.is_number();
         match self.rules {
             Rules::Matiec if is_listed => texts::basis(units, self.to),
             Rules::Strucpp if is_listed && texts::is_plain_number(units, self.to) => Some(STRUCPP_TEXTS),
@@ -377,7 +376,7 @@ impl<'s> UnaryCall<'s> {
     fn rounded(self, raw: u64, rounding: Rounding) -> WholePosition {
         match self.whole(raw, rounding) {
             None => WholePosition::NoNumber,
-            Some(Whole::Number(number)) if integer::holds(self.to, number) => WholePosition::Inside,
+            Some(Whole::Number(number)) if self.to.holds(number) => WholePosition::Inside,
             Some(_) => WholePosition::Outside,
         }
     }

@@ -110,12 +110,13 @@ struct Features {
 
 impl Features {
     fn of(dialect: DialectName) -> Features {
+        let rules = dialect.rules();
         Features {
-            third_edition: has_type(ElementaryType::Ltime, dialect),
-            roundings: Dialect::of(dialect).rounding_functions,
-            long_dates: has_type(ElementaryType::Ldate, dialect),
-            to_dint: Dialect::of(dialect).rounds_to_dint,
-            long_truncation: Dialect::of(dialect).long_truncation,
+            third_edition: rules.has(ElementaryType::Ltime),
+            roundings: rules.rounding_functions,
+            long_dates: rules.has(ElementaryType::Ldate),
+            to_dint: rules.rounds_to_dint,
+            long_truncation: rules.long_truncation,
         }
     }
 
@@ -210,39 +211,29 @@ impl Catalogue {
     /// Adds the functions with BCD in their name.
     fn add_bcd(&mut self) {
         // What the ForgeIEC page lists for its two functions.
-        let (bits, integers) = (
+        let (listed_bits, integers) = (
             [ElementaryType::Byte, ElementaryType::Word],
             [ElementaryType::Int, ElementaryType::Dint],
         );
-        for (bits, integer) in bits
-            .into_iter()
-            .flat_map(|bits| integers.map(|integer| (bits, integer)))
-        {
-            self.add("BCD_TO_INT".to_owned(), bits, integer, Operation::FromBcd);
+        for bits in listed_bits {
+            for integer in integers {
+                self.add("BCD_TO_INT".to_owned(), bits, integer, Operation::FromBcd);
+            }
         }
-        for (integer, bits) in integers
-            .into_iter()
-            .flat_map(|integer| bits.map(|bits| (integer, bits)))
-        {
-            self.add("INT_TO_BCD".to_owned(), integer, bits, Operation::ToBcd);
+        for integer in integers {
+            for bits in listed_bits {
+                self.add("INT_TO_BCD".to_owned(), integer, bits, Operation::ToBcd);
+            }
         }
         let of = |is: fn(ElementaryType) -> bool| ElementaryType::ALL.into_iter().filter(move |&ty| is(ty));
         for bits in of(ElementaryType::is_bit_string) {
             for integer in of(ElementaryType::is_unsigned) {
-                self.add(format!("BCD_TO_{integer}"), bits, integer, Operation::FromBcd);
-                self.add(
-                    format!("{bits}_BCD_TO_{integer}"),
-                    bits,
-                    integer,
-                    Operation::FromBcd,
-                );
-                self.add(format!("TO_BCD_{bits}"), integer, bits, Operation::ToBcd);
-                self.add(
-                    format!("{integer}_TO_BCD_{bits}"),
-                    integer,
-                    bits,
-                    Operation::ToBcd,
-                );
+                for name in [format!("BCD_TO_{integer}"), format!("{bits}_BCD_TO_{integer}")] {
+                    self.add(name, bits, integer, Operation::FromBcd);
+                }
+                for name in [format!("TO_BCD_{bits}"), format!("{integer}_TO_BCD_{bits}")] {
+                    self.add(name, integer, bits, Operation::ToBcd);
+                }
             }
         }
     }
@@ -287,15 +278,6 @@ impl Catalogue {
 }
 
 const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal];
-
-/// Returns whether a dialect has a type, which the third edition may have added.
-///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); twincat-builds:
-/// recordings/twincat.build.json (no LDATE, LTOD, LDT).
-#[must_use]
-pub fn has_type(ty: ElementaryType, dialect: DialectName) -> bool {
-    Dialect::of(dialect).has(ty)
-}
 
 /// Returns whether a type is LDATE, LTOD or LDT.
 fn is_long_date(ty: ElementaryType) -> bool {

@@ -4,7 +4,6 @@
 //! by cell. [`implicit_result`](crate::implicit_result()) gives the converted value, which is that of the function
 //! `<FROM>_TO_<TO>`.
 
-use crate::catalogue::has_type;
 use stickler_types::documents::DocumentedImplicit;
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
@@ -23,7 +22,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if from == to {
         return MatrixWord::Same;
     }
-    if !has_type(from, dialect) || !has_type(to, dialect) {
+    if !dialect.rules().has(from) || !dialect.rules().has(to) {
         return MatrixWord::No;
     }
     let rules = Dialect::of(dialect);
@@ -48,7 +47,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
 /// Returns the answer of IronPLC's three categories; open between the short and the long form of a type, for which only its
 /// general rule could apply.
 fn ironplc(from: ElementaryType, to: ElementaryType) -> MatrixWord {
-    if from.long_form() == Some(to) || to.long_form() == Some(from) {
+    if from.is_form_of(to) {
         return MatrixWord::Open;
     }
     said(match (from.family(), to.family()) {
@@ -91,11 +90,10 @@ fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
 /// open; so is what no test names.
 fn rusty(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     use ElementaryType::{Char, String};
-    let is_magnitude =
-        |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string() || ty.is_duration();
+    let is_magnitude = |ty: ElementaryType| ty.is_number() || ty.is_bit_string() || ty.is_duration();
     let is_text = |ty: ElementaryType| matches!(ty.family(), Family::Text | Family::Character);
     // "The long pendants LTIME, LTOD, LDATE and LDT are mere aliases to the original types."
-    if from.long_form() == Some(to) || to.long_form() == Some(from) {
+    if from.is_form_of(to) {
         return MatrixWord::Yes;
     }
     match (from, to) {
@@ -124,15 +122,13 @@ fn strucpp(from: ElementaryType, to: ElementaryType) -> MatrixWord {
 /// Returns the answer of the matrix that was measured on CODESYS and TwinCAT, which has numbers and bit strings: what may lose the sign
 /// or digits is warned of. For other types the matrix is a rule that was not measured.
 fn codesys(from: ElementaryType, to: ElementaryType) -> MatrixWord {
-    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
-    let is_signed = |ty: ElementaryType| ty.family() == Family::Signed;
-    let is_number = |ty: ElementaryType| is_whole(ty) || ty.is_real();
+    let is_number = |ty: ElementaryType| ty.is_number() || ty.is_bit_string();
     if !is_number(from) || !is_number(to) {
         return MatrixWord::Open;
     }
-    let keeps_all = match (is_whole(from), is_whole(to)) {
+    let keeps_all = match (from.is_whole(), to.is_whole()) {
         (true, true) if from.bits() > to.bits() => return MatrixWord::No,
-        (true, true) => match (is_signed(from), is_signed(to)) {
+        (true, true) => match (from.is_signed(), to.is_signed()) {
             (true, false) => false,
             (false, true) => from.bits() < to.bits(),
             _ => true,
@@ -153,14 +149,13 @@ fn codesys(from: ElementaryType, to: ElementaryType) -> MatrixWord {
 /// BOOL, SINT, INT, DINT, REAL and STRING; of the pairs that are not named, and of LINT, whose range is said to be that of a time, nothing follows.
 fn logix(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     use ElementaryType::{Bool, Dint, Int, Lint, Lreal, Real, Sint, String};
-    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
     match (from, to) {
-        (Bool, _) if is_number(to) => MatrixWord::No,
-        (_, Bool | String) if is_number(from) => MatrixWord::No,
+        (Bool, _) if to.is_number() => MatrixWord::No,
+        (_, Bool | String) if from.is_number() => MatrixWord::No,
         (Bool, String) | (String, Bool | Sint | Int | Dint | Real) => MatrixWord::No,
         (Lint, _) => MatrixWord::Open,
         (Lreal, Sint | Int | Dint) => MatrixWord::Open,
-        (_, Sint | Int | Dint | Real) if is_number(from) => MatrixWord::Yes,
+        (_, Sint | Int | Dint | Real) if from.is_number() => MatrixWord::Yes,
         _ => MatrixWord::Open,
     }
 }

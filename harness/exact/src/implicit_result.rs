@@ -43,7 +43,7 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
         (Time, Udint) => return Some(held(moment::units(raw, from, MILLISECONDS), to)),
         _ if is_number(from) && is_number(to) => return Some(held(integer::number(raw, from), to)),
         _ if from.is_integer() && to.is_real() => real::from_integer(integer::number(raw, from), to),
-        _ if from.long_form() == Some(to) || to.long_form() == Some(from) => moment::between(raw, to),
+        _ if from.is_form_of(to) => moment::between(raw, to),
         _ => return None,
     };
     Some(ImplicitResult::Exactly(Value::plain(to, raw)))
@@ -51,10 +51,8 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
 
 /// Returns the number as a value of the type, if the type holds it.
 fn held(number: i128, to: ElementaryType) -> ImplicitResult {
-    match to.integer_range() {
-        Some((least, greatest)) if (least..=greatest).contains(&number) => {
-            ImplicitResult::Exactly(Value::plain(to, integer::wrapped(number, to)))
-        }
-        _ => ImplicitResult::Open,
+    match to.holds(number) {
+        true => ImplicitResult::Exactly(Value::plain(to, integer::wrapped(number, to))),
+        false => ImplicitResult::Open,
     }
 }

@@ -12,7 +12,8 @@ pub(crate) const fn number(raw: u64, ty: ElementaryType) -> i128 {
 ///
 /// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: Range and precision ("wraps").
 pub(crate) fn wrapped(number: i128, to: ElementaryType) -> u64 {
-    raw(of_bits(number, to.bits(), to))
+    // Fits 64 bits with or without a sign.
+    of_bits(number, to.bits(), to) as u64
 }
 
 /// Returns the number that the lowest bits of another number are in a type, as if it had no more bits than these.
@@ -24,21 +25,10 @@ pub(crate) fn of_bits(number: i128, bits: u32, to: ElementaryType) -> i128 {
     rest - if is_negative { modulus } else { 0 }
 }
 
-/// Returns the 64-bit two's complement of a number that fits 64 bits with or without a sign.
-const fn raw(value: i128) -> u64 {
-    value as u64
-}
-
-/// Returns whether an integer, bit string or BOOL of this type holds the number; `false` for any other type.
-pub(crate) fn holds(to: ElementaryType, number: i128) -> bool {
-    to.integer_range()
-        .is_some_and(|(least, greatest)| (least..=greatest).contains(&number))
-}
-
 /// Returns the raw form of the number, or of the nearest limit of the type; 0 for a type without limits.
 pub(crate) fn saturated(number: i128, to: ElementaryType) -> u64 {
     to.integer_range()
-        .map_or(0, |(least, greatest)| raw(number.clamp(least, greatest)))
+        .map_or(0, |(least, greatest)| number.clamp(least, greatest) as u64)
 }
 
 #[cfg(test)]
@@ -80,6 +70,6 @@ mod tests {
             [0, 0, 65_535, 65_535]
         );
         assert_eq!(saturated(1 << 100, Ulint), u64::MAX);
-        assert!(holds(Ulint, (1 << 64) - 1) && !holds(Ulint, 1 << 64) && !holds(Real, 0));
+        assert!(Ulint.holds((1 << 64) - 1) && !Ulint.holds(1 << 64) && !Real.holds(0));
     }
 }

@@ -11,7 +11,7 @@
 //! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
 //! | what must a call give, and which document says so? | [`expected`] |
 //! | what does the vendor's page say where recordings say something else? | [`stated_by_vendor`] |
-//! | what would it give by other rules? | [`value()`] with other choices than [`choices_of`] the dialect |
+//! | what would it give by other rules? | [`value()`] with other choices than those of the dialect |
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit()`] |
 //! | what does a value become without a call? | [`implicit_result()`] |
@@ -42,7 +42,6 @@ mod bulk;
 mod calendar;
 mod catalogue;
 mod character;
-mod choices;
 mod elementary;
 mod implicit;
 mod implicit_result;
@@ -58,8 +57,7 @@ mod vendor_page;
 
 pub use basis::{Expected, expected, is_overridden, page_has_truncation};
 pub use bulk::Bulk;
-pub use catalogue::{functions, has_type, signature_of, signatures};
-pub use choices::choices_of;
+pub use catalogue::{functions, signature_of, signatures};
 pub use elementary::nearest_result;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};

@@ -18,13 +18,8 @@ pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType) -> boo
     use Family::{Character, Text};
     match (from.family(), to.family()) {
         (Text, _) | (_, Text) | (Character, Character) => true,
-        (Character, _) => is_whole(to),
-        (_, Character) => is_whole(from),
+        (Character, _) => to.is_whole(),
+        (_, Character) => from.is_whole(),
         _ => true,
     }
-}
-
-/// Returns whether the type is an integer or a bit string.
-const fn is_whole(ty: ElementaryType) -> bool {
-    matches!(ty.family(), Family::Signed | Family::Unsigned | Family::BitString)
 }

@@ -21,10 +21,7 @@ impl Signature {
     /// Returns whether the operands are of the types of the signature, in their order.
     #[must_use]
     pub fn takes(&self, operands: &[Value]) -> bool {
-        let types = operands.iter().map(|operand| match operand {
-            Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
-        });
+        let types = operands.iter().map(Value::elementary);
         types.eq(self.operands.iter().map(|&ty| Some(ty)))
     }
 }

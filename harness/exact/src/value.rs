@@ -164,7 +164,7 @@ fn from_real(
             integer::saturated(if negative { i128::MIN } else { i128::MAX }, to)
         }
         (whole, OutOfRange::Indefinite64) => integer::wrapped(of_64_bits(whole, to), to),
-        (Whole::Number(number), OutOfRange::Indefinite32) if integer::holds(ElementaryType::Dint, number) => {
+        (Whole::Number(number), OutOfRange::Indefinite32) if ElementaryType::Dint.holds(number) => {
             integer::wrapped(number, to)
         }
         (_, OutOfRange::Indefinite32) => not_a_number(to, out_of_range),
@@ -193,8 +193,8 @@ fn of_64_bits(whole: Whole, to: ElementaryType) -> i128 {
         ElementaryType::Lint
     };
     match whole {
-        Whole::Number(number) if integer::holds(holder, number) => number,
-        Whole::Number(number) if to.bits() == 64 && integer::holds(ElementaryType::Ulint, number) => number,
+        Whole::Number(number) if holder.holds(number) => number,
+        Whole::Number(number) if to.bits() == 64 && ElementaryType::Ulint.holds(number) => number,
         _ => -(1 << (holder.bits() - 1)),
     }
 }

@@ -1,6 +1,5 @@
 //! The results that a vendor's page states of a system whose recordings count for more, so that both can be shown where they differ.
 
-use crate::choices::choices_of;
 use crate::real;
 use crate::signature::{Operation, Signature};
 use crate::value::value;
@@ -24,7 +23,7 @@ pub fn stated_by_vendor(
     let choices = ConversionChoices {
         rounding: page.rounding,
         out_of_range: page.out_of_range,
-        ..choices_of(dialect)
+        ..dialect.rules().conversions
     };
     Some((value(signature, operands, &choices), &page.basis))
 }

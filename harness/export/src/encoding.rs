@@ -82,10 +82,9 @@ pub(crate) fn decode(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     let found = match ty.family() {
         Family::Real => real(ty, numbers),
         Family::Duration => return duration(ty, numbers),
-        _ => whole(numbers).and_then(|number| {
-            let (least, greatest) = ty.integer_range()?;
-            (least..=greatest).contains(&number).then(|| ty.wrap(number))
-        }),
+        _ => whole(numbers)
+            .filter(|number| ty.holds(*number))
+            .map(|number| ty.wrap(number)),
     };
     found.map_or(DecodedValue::Invalid, |raw| {
         DecodedValue::Value(Value::plain(ty, raw))

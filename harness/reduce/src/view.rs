@@ -5,8 +5,8 @@ use std::cmp::Reverse;
 use std::ops::Range;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    CaseLabel, Declaration, Expression, ExpressionId, Initializer, Name, Pou, SourceUnit, Statement,
-    StatementKind, TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
+    CaseLabel, Expression, ExpressionId, Initializer, Name, Pou, SourceUnit, Statement, StatementKind,
+    TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
 };
 use stickler_syntax::visitor::{Context, Part, Place, Visitor, bodies, walk};
 use stickler_syntax::{Edits, Tokens, parse, tokens};
@@ -95,11 +95,7 @@ impl<'t> TextView<'t> {
 
     /// Returns the declarations of types.
     pub fn types(&self) -> impl Iterator<Item = &'t TypeDeclaration<'t>> {
-        let types = |declaration: &'t Declaration<'t>| match declaration {
-            Declaration::Types(types) => Some(types),
-            _ => None,
-        };
-        self.unit.declarations.iter().filter_map(types).flatten()
+        self.unit.types()
     }
 
     /// Returns the type of every variable, field and declared type, with the initial value beside it.

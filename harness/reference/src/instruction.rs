@@ -106,6 +106,12 @@ pub enum Instruction {
         unsigned: bool,
     },
 
+    /// Pops an address, a subscript, the lowest and the highest subscript, and the stride; does what `Subscript` does with these.
+    SubscriptWithin {
+        /// Whether the subscript's raw form is unsigned.
+        unsigned: bool,
+    },
+
     /// Pushes the content of an absolute cell.
     Load(Address),
     /// Pops an address, pushes the cell's content.
@@ -141,6 +147,10 @@ pub enum Instruction {
     Peek(LayoutId),
     /// Pops an address in bytes and a plain value; stores it there.
     Poke(LayoutId),
+    /// Pops an address in bytes, of a part of a union, and that of a cell; copies the value of this layout from the one to the other.
+    Gather(LayoutId),
+    /// Pops the same; copies the value in the cells to the address in bytes.
+    Scatter(LayoutId),
 
     /// Pops a value, pushes a part of its bits as a BOOL or a bit string.
     Part(Part),
@@ -208,8 +218,10 @@ pub enum Instruction {
         function: StandardFunction,
         /// The type of its values.
         of: ElementaryType,
-        /// The number of values that it takes besides a selector.
+        /// The number of values of the type that it takes.
         count: u16,
+        /// The number of integers that it takes besides: a selector, a number of places, a length, a position.
+        numbers: u16,
     },
 
     /// Goes on elsewhere.
@@ -327,7 +339,7 @@ pub enum StandardFunction {
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
     /// a number, or infinite.
     Real(RealFunction),
-    /// The same, which faults with division-by-zero where the result is infinite though the operands are not.
+    /// The same, which faults with division-by-zero where the result is infinite though the operands are zero: LN and LOG of 0.
     RealOrStop(RealFunction),
     /// CONCAT_DATE and its kin: pops the numbers of a date, a time of day or both as i64, from the year or the hour on; faults with subrange where
     /// the type does not have them.

@@ -21,16 +21,15 @@ const TIME: &str = include_str!("../library/time.st");
 /// The blocks of systems whose inputs are called SET and RESET.
 const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
-/// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented: a name a line.
+/// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented.
 ///
 /// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
-const NOT_IMPLEMENTED: &str = include_str!("../library/not_implemented.txt");
+const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {
-    NOT_IMPLEMENTED
-        .lines()
-        .any(|known| known.eq_ignore_ascii_case(name))
+    let mut names = NOT_IMPLEMENTED.split(' ');
+    names.any(|known| known.eq_ignore_ascii_case(name))
 }
 
 /// The types of counters, of which the first one's are written in `library`.
@@ -70,10 +69,7 @@ pub(crate) fn with_blocks(
     });
     let named = undeclared.map(|one| one.span.text(source).to_ascii_uppercase());
     let named: BTreeSet<String> = named.collect();
-    let own = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
-    let own = |name: &String| own.and_then(|text| cut(text, name)).map(str::to_owned);
-    let block = |name: &String| own(name).or_else(|| block(name, dialect));
-    let blocks: Vec<String> = named.iter().filter_map(block).collect();
+    let blocks: Vec<String> = named.iter().filter_map(|name| block(name, dialect)).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
         let mut blocks = blocks.iter();
         blocks.any(|block| block.contains(clock))
@@ -83,9 +79,18 @@ pub(crate) fn with_blocks(
     (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
 }
 
+/// Returns whether a name is that of a standard function block, of whose variables only inputs and outputs are known to programs.
+pub(crate) fn has_block(name: &str) -> bool {
+    block(&name.to_ascii_uppercase(), &Dialect::DEFAULT).is_some()
+}
+
 /// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`, as a dialect has it; `None` for
 /// other names.
 fn block(name: &str, dialect: &Dialect) -> Option<String> {
+    let other_inputs = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
+    if let Some(text) = other_inputs.and_then(|text| cut(text, name)) {
+        return Some(text.to_owned());
+    }
     let own = |text: &str| match name {
         "F_TRIG" if !dialect.first_call_falls => text.replace("M : BOOL;", "M : BOOL := TRUE;"),
         _ if dialect.counters_stop_at_preset => {

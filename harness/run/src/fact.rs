@@ -48,6 +48,7 @@ pub enum Fact {
         name: String,
         /// The value of the variable; in JSON a typed literal.
         #[cfg_attr(feature = "schema", schemars(with = "String"))]
+        #[serde(deserialize_with = "stickler_types::deserialize_expected")]
         value: Value,
     },
     /// The engine did not give the value of a variable.

@@ -11,11 +11,8 @@ use stickler_types::{DialectName, ElementaryType, Question, Value};
 /// Returns what a value becomes where a definition states that a pair of types converts implicitly: the result of
 /// `<FROM>_TO_<TO>`, or `Open` where no document or definition says what that is.
 pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> ImplicitResult {
-    let from = match value {
-        Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty,
-        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
-            return ImplicitResult::Open;
-        }
+    let Some(from) = value.elementary() else {
+        return ImplicitResult::Open;
     };
     let operands = std::slice::from_ref(value);
     let found = signatures(&format!("{from}_TO_{to}"), dialect);

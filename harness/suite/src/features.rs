@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
 pub use stickler_syntax::features::FeatureKey;
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, ElementaryType};
 use toml::Spanned;
 
 use crate::dialects::{DialectSet, Dialects};
@@ -108,18 +108,31 @@ impl Features {
         lacking
     }
 
-    /// Notes which of the dialects lack which features; returns a mistake for each word of a dialect that is no feature. A folder of cases may
-    /// have fewer features than the dialects that Stickler carries name, so these are not asked.
+    /// Notes which of the dialects lack which features; returns a mistake for each word of a dialect that is no feature, and for each name that
+    /// it gives to nothing. A folder of cases may have fewer features than the dialects that Stickler carries name, so these are not asked.
     fn ask(&mut self, dialects: &[DialectName]) -> Vec<Mistake> {
         let mut mistakes = Vec::new();
+        let features = || self.list.iter().map(|feature| feature.key.as_str());
         for &dialect in dialects {
-            let declared = &dialect.rules().features;
-            let is_carried = DialectName::ALL.contains(&dialect);
-            for word in declared.has.iter().chain(&declared.lacks) {
-                if !is_carried && self.get(word).is_none() {
-                    let known = self.list.iter().map(|feature| feature.key.as_str());
+            let rules = dialect.rules();
+            let mut say = |message: String, word: &str| {
+                mistakes.push(Mistake::new(1, message).hint(suggestion(word, features())));
+            };
+            let declared = rules.features.has.iter().chain(&rules.features.lacks);
+            if !DialectName::ALL.contains(&dialect) {
+                for word in declared.filter(|word| self.get(word).is_none()) {
                     let message = format!("`[features]` of {dialect} names `{word}`, which is no feature");
-                    mistakes.push(Mistake::new(1, message).hint(suggestion(word, known)));
+                    say(message, word);
+                }
+                for word in rules
+                    .names
+                    .values()
+                    .filter(|word| !self.is_standard(word, dialect))
+                {
+                    let message = format!(
+                        "`[names]` of {dialect} gives another name to `{word}`, which is no type, function or function block of the standard"
+                    );
+                    say(message, word);
                 }
             }
             let lacked = self
@@ -131,6 +144,17 @@ impl Features {
             }
         }
         mistakes
+    }
+
+    /// Returns whether a name, in capital letters, is that of an elementary type, of a conversion function of a dialect, or of a feature: a
+    /// standard function or function block.
+    #[must_use]
+    pub fn is_standard(&self, name: &str, dialect: DialectName) -> bool {
+        let key = name.to_ascii_lowercase();
+        ElementaryType::from_name(name).is_some()
+            || self.get(&key).is_some()
+            || self.get(&format!("{key}-function")).is_some()
+            || !stickler_exact::signatures(name, dialect).is_empty()
     }
 
     /// Returns a feature of a program that a dialect does not declare to have: neither its edition of IEC 61131-3 has a table of it, nor

@@ -224,7 +224,8 @@ pub struct ExpectedValue {
     /// The 1-based scan after which the variable must have the value; `None` for the last scan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub after: Option<u32>,
-    /// The value that the variable must have exactly.
+    /// The value that the variable must have, or a number that it must be near.
+    #[serde(deserialize_with = "stickler_types::deserialize_expected")]
     pub value: Value,
     /// The 1-based line of the case file that asserts it.
     pub line: u32,

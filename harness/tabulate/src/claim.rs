@@ -187,7 +187,6 @@ impl Table {
 /// Range and precision ("silently truncate or wrap").
 fn is_named(call: &Call, dialect: DialectName) -> bool {
     let (from, to) = (call.from(), call.to());
-    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
     if dialect != DialectName::MATIEC {
         return false;
     }
@@ -198,8 +197,8 @@ fn is_named(call: &Call, dialect: DialectName) -> bool {
         _ => match (from, to) {
             (ElementaryType::Bool | ElementaryType::Time, _)
             | (_, ElementaryType::Bool | ElementaryType::Time) => true,
-            (ElementaryType::String, _) => is_number(to),
-            (_, ElementaryType::String) => is_number(from),
+            (ElementaryType::String, _) => to.is_number(),
+            (_, ElementaryType::String) => from.is_number(),
             (ElementaryType::Dt, ElementaryType::Date) => true,
             _ => false,
         },

@@ -41,11 +41,10 @@ pub fn calls(generate: &Generate) -> Result<Vec<Call>, String> {
 /// otherwise `kept` where the target holds the number, and `with-a-sign` where it does not.
 fn what_becomes(call: &Call) -> Option<&'static str> {
     let (from, to) = (call.from(), call.to());
-    let has_bits = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
     let Value::Plain { raw, .. } = call.operands[0].value else {
         return None;
     };
-    if !has_bits(from) || !has_bits(to) {
+    if !from.is_whole() || !to.is_whole() {
         return None;
     }
     let number = from.integer_value(raw);

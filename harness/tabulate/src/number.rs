@@ -4,8 +4,7 @@ use stickler_types::{ElementaryType, Value};
 
 /// Returns a number of an integer or bit string type, or nothing where the type does not hold it.
 pub(crate) fn whole(ty: ElementaryType, number: i128) -> Option<Value> {
-    let (least, greatest) = ty.integer_range()?;
-    let holds = ty != ElementaryType::Bool && (least..=greatest).contains(&number);
+    let holds = ty != ElementaryType::Bool && ty.holds(number);
     holds.then(|| Value::plain(ty, ty.wrap(number)))
 }
 

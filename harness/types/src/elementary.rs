@@ -233,6 +233,16 @@ impl ElementaryType {
         matches!(self.family(), Family::Signed | Family::Unsigned)
     }
 
+    /// Returns whether the type is an integer, `REAL` or `LREAL`: `ANY_NUM` of the standard.
+    pub const fn is_number(self) -> bool {
+        self.is_integer() || self.is_real()
+    }
+
+    /// Returns whether the type is an integer or a bit string, so that its values are whole numbers of two and more bits.
+    pub const fn is_whole(self) -> bool {
+        self.is_integer() || self.is_bit_string()
+    }
+
     /// Returns whether the type is `SINT`, `INT`, `DINT` or `LINT`.
     pub const fn is_signed(self) -> bool {
         matches!(self.family(), Family::Signed)
@@ -281,6 +291,11 @@ impl ElementaryType {
         matches!(self.family(), Family::Character)
     }
 
+    /// Returns whether the one type is the long form of the other: `TIME` and `LTIME`, either way.
+    pub fn is_form_of(self, other: ElementaryType) -> bool {
+        self.long_form() == Some(other) || other.long_form() == Some(self)
+    }
+
     /// Returns whether only the third edition of the standard has the type.
     ///
     /// Basis: iec-61131-3: Annex B of the third edition lists the types that it added.
@@ -310,6 +325,14 @@ impl ElementaryType {
             Family::Signed => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
             Family::Unsigned | Family::BitString | Family::Boolean => Some((0, (1 << bits) - 1)),
             _ => None,
+        }
+    }
+
+    /// Returns whether an integer, bit string or `BOOL` has a value of this number; `false` for other types.
+    pub const fn holds(self, number: i128) -> bool {
+        match self.integer_range() {
+            Some((least, greatest)) => least <= number && number <= greatest,
+            None => false,
         }
     }
 

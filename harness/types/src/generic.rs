@@ -46,7 +46,7 @@ impl GenericType {
             GenericType::Unsigned => ty.is_unsigned(),
             GenericType::Int => ty.is_integer(),
             GenericType::Real => ty.is_real(),
-            GenericType::Num => ty.is_integer() || ty.is_real(),
+            GenericType::Num => ty.is_number(),
             GenericType::Bit => matches!(ty, ElementaryType::Bool) || ty.is_bit_string(),
             GenericType::Duration => ty.is_duration(),
             GenericType::Date => ty.is_date_or_time(),

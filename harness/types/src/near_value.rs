@@ -37,25 +37,12 @@ impl Value {
     /// Returns whether an engine may give a value where this one is expected: an equal one, or one that is so near.
     #[must_use]
     pub fn admits(&self, given: &Value) -> bool {
-        let (
-            Value::Near { ty, raw, units },
-            Value::Plain {
-                ty: other,
-                raw: given,
-            },
-        ) = (self, given)
-        else {
-            return self == given;
-        };
-        let ranks = rank(*ty, *raw).zip(rank(*other, *given));
-        ty == other && ranks.is_some_and(|(one, other)| one.abs_diff(other) <= u128::from(*units))
-    }
-
-    /// Returns the number to which others are near, and any other value as it is.
-    pub(crate) fn middle(&self) -> Option<Value> {
-        match self {
-            Value::Near { ty, raw, .. } => Some(Value::plain(*ty, *raw)),
-            _ => None,
+        match (self, given) {
+            (&Value::Near { ty, raw, units }, &Value::Plain { ty: of, raw: given }) => {
+                let ranks = rank(ty, raw).zip(rank(of, given));
+                ty == of && ranks.is_some_and(|(one, other)| one.abs_diff(other) <= u128::from(units))
+            }
+            _ => self == given,
         }
     }
 }

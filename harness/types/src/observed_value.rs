@@ -43,13 +43,30 @@ impl Serialize for Value {
     }
 }
 
+/// A value is read as an engine gives it; no engine answers by a number with its units.
 impl<'de> Deserialize<'de> for Value {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
-        let literal = Cow::<'de, str>::deserialize(deserializer)?;
-        let observed = Value::parse_observed(&literal);
-        let value = observed.or_else(|error| Value::parse_expected(&literal).map_err(|_| error));
-        value.map_err(|error| de::Error::custom(format!("`{literal}` is no typed literal: {error}")))
+        deserialized(deserializer, Value::parse_observed)
     }
+}
+
+/// Deserializes a value that an engine gave or that an expectation states: what [`Value::parse_observed`] or [`Value::parse_expected`] reads. For
+/// `#[serde(deserialize_with)]`.
+///
+/// # Errors
+/// An error of the deserializer for anything else.
+pub fn deserialize_expected<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> {
+    let parse = |literal: &str| Value::parse_expected(literal).or_else(|_| Value::parse_observed(literal));
+    deserialized(deserializer, parse)
+}
+
+fn deserialized<'de, D: Deserializer<'de>>(
+    deserializer: D,
+    parse: impl Fn(&str) -> Result<Value, LiteralError>,
+) -> Result<Value, D::Error> {
+    let literal = Cow::<'de, str>::deserialize(deserializer)?;
+    let wrong = |error| de::Error::custom(format!("`{literal}` is no typed literal: {error}"));
+    parse(&literal).map_err(wrong)
 }
 
 fn out_of_range(literal: &str) -> Option<Value> {
@@ -71,6 +88,13 @@ mod tests {
             assert_eq!(Value::parse(&value.to_string()).is_ok(), is_literal);
             assert_eq!(Value::parse_observed(&value.to_string()), Ok(value));
         }
+    }
+
+    #[test]
+    fn only_an_expectation_is_near_a_number() {
+        let text = || de::value::StrDeserializer::<de::value::Error>::new("REAL#1.0 within 2");
+        assert!(Value::deserialize(text()).is_err());
+        assert!(matches!(deserialize_expected(text()), Ok(Value::Near { .. })));
     }
 
     #[test]

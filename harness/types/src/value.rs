@@ -85,6 +85,15 @@ impl Value {
         }
     }
 
+    /// Returns the elementary type of a value that its type has; `None` for a value of an enumeration, and for one that no program has.
+    #[must_use]
+    pub const fn elementary(&self) -> Option<ElementaryType> {
+        match self {
+            Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
+            Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
+        }
+    }
+
     /// Returns the canonical literal without its type: `-5`, `16#00FF`, `'a$'b'`, `RED`. For types whose literals must have
     /// a prefix (durations, dates) the result is not a literal of the language.
     pub fn without_type(&self) -> String {
@@ -217,15 +226,10 @@ fn boolean(rest: &str) -> Result<u64, LiteralError> {
 fn ranged(value: Result<i128, LiteralError>, ty: ElementaryType) -> Result<u64, LiteralError> {
     let out_of_range = LiteralError::overflow(0, ty.name());
     match value {
-        Ok(value) if fits(value, ty) => Ok(ty.wrap(value)),
+        Ok(value) if ty.holds(value) => Ok(ty.wrap(value)),
         Ok(_) | Err(LiteralError::Overflow { .. }) => Err(out_of_range),
         Err(error) => Err(error),
     }
-}
-
-fn fits(value: i128, ty: ElementaryType) -> bool {
-    ty.integer_range()
-        .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
 /// Returns the raw form of a NaN or an infinity, if the text is one of Stickler's words for them.
@@ -316,22 +320,8 @@ fn write_plain(f: &mut fmt::Formatter<'_>, ty: ElementaryType, raw: u64) -> fmt:
 }
 
 impl PartialEq for Value {
-    fn eq(&self, other_value: &Value) -> bool {
-        match (self, other_value) {
-            (
-                Value::Plain { ty, raw },
-                Value::Plain {
-                    ty: other_ty,
-                    raw: other_raw,
-                },
-            ) => ty == other_ty && (raw == other_raw || (is_nan(*ty, *raw) && is_nan(*ty, *other_raw))),
-            (
-                Value::Text { ty, units },
-                Value::Text {
-                    ty: other_ty,
-                    units: other_units,
-                },
-            ) => ty == other_ty && units == other_units,
+    fn eq(&self, other: &Value) -> bool {
+        match (self, other) {
             (
                 Value::Enumerated {
                     type_name,
@@ -342,15 +332,14 @@ impl PartialEq for Value {
                     value_name: other_value,
                 },
             ) => type_name.eq_ignore_ascii_case(other_type) && value_name.eq_ignore_ascii_case(other_value),
-            (
-                Value::OutOfRange { ty, nanoseconds },
-                Value::OutOfRange {
-                    ty: other_ty,
-                    nanoseconds: other,
-                },
-            ) => ty == other_ty && nanoseconds == other,
-            (Value::Near { units, .. }, Value::Near { units: other, .. }) => {
-                units == other && self.middle() == other_value.middle()
+            _ if self.type_name() != other.type_name() => false,
+            (&Value::Plain { ty, raw }, &Value::Plain { raw: other, .. }) => {
+                raw == other || (is_nan(ty, raw) && is_nan(ty, other))
+            }
+            (Value::Text { units, .. }, Value::Text { units: other, .. }) => units == other,
+            (Value::OutOfRange { nanoseconds: a, .. }, Value::OutOfRange { nanoseconds: b, .. }) => a == b,
+            (&Value::Near { raw, units, .. }, &Value::Near { raw: a, units: b, .. }) => {
+                (raw, units) == (a, b)
             }
             _ => false,
         }

@@ -4,7 +4,7 @@ use super::page::WIDTH;
 use crate::functions::dialect_list;
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_exact::{Operation, Signature, choices_of};
+use stickler_exact::{Operation, Signature};
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, ElementaryType, Family,
     MomentUnits, OutOfRange, RealText, Rounding, TextReading, wrap_within,
@@ -56,7 +56,7 @@ fn choices(
 ) -> Vec<(String, Vec<DialectName>)> {
     let mut found: Vec<(String, Vec<DialectName>)> = Vec::new();
     for dialect in dialects {
-        let choice = (topic.choice)(&choices_of(*dialect), signature);
+        let choice = (topic.choice)(&dialect.rules().conversions, signature);
         match found.iter_mut().find(|(known, _)| *known == choice) {
             Some((_, choosers)) => choosers.push(*dialect),
             None => found.push((choice, vec![*dialect])),
@@ -75,7 +75,6 @@ fn topics(signature: &Signature) -> Vec<Topic> {
         choice,
     };
     let outside = format!("outside {to}");
-    let whole = to.is_integer() || to.is_bit_string();
     match (signature.operation, from.family(), to.family()) {
         (Operation::Convert, Family::BitString, Family::Boolean) => vec![topic("TRUE", truth)],
         (Operation::Convert, Family::BitString, Family::Real) if from.bits() == to.bits() => {
@@ -86,22 +85,22 @@ fn topics(signature: &Signature) -> Vec<Topic> {
             topic("rounding", rounding),
             topic(&outside, outside_of_reals),
         ],
-        (Operation::Convert, Family::Real, _) if whole => {
+        (Operation::Convert, Family::Real, _) if to.is_whole() => {
             vec![topic("rounding", rounding), topic(&outside, outside_of_reals)]
         }
         (Operation::Convert, Family::Signed | Family::Unsigned | Family::BitString, _)
-            if whole && narrows(signature) =>
+            if to.is_whole() && narrows(signature) =>
         {
             vec![topic(&outside, modulo)]
         }
         (Operation::Convert, Family::Text, Family::Real) => vec![topic("reading", reading)],
-        (Operation::Convert, Family::Text, _) if whole => vec![topic("reading", reading)],
+        (Operation::Convert, Family::Text, _) if to.is_whole() => vec![topic("reading", reading)],
         (Operation::Convert, Family::Real, Family::Text) => vec![topic("digits", digits)],
         (Operation::Convert, Family::BitString, Family::Text) => vec![topic("spelling", spelling)],
-        (Operation::Convert, ..) if from.is_moment() && (whole || to.is_real()) && to.bits() > 1 => {
+        (Operation::Convert, ..) if from.is_moment() && (to.is_whole() || to.is_real()) && to.bits() > 1 => {
             vec![topic("unit", unit)]
         }
-        (Operation::Convert, ..) if to.is_moment() && (from.is_integer() || from.is_real()) => {
+        (Operation::Convert, ..) if to.is_moment() && from.is_number() => {
             vec![topic("unit", unit), topic(&outside, outside_of_moments)]
         }
         (Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor, ..) => {

@@ -143,7 +143,7 @@ fn reals(from: ElementaryType, to: ElementaryType) -> Vec<String> {
         _ => word,
     };
     let mut literals: Vec<String> = list(&LISTS.reals, key).into_iter().map(literal).collect();
-    if to.is_integer() || to.is_bit_string() {
+    if to.is_whole() {
         literals.extend(around_limits(to));
         literals.extend(["1.0E10", greatest].map(str::to_owned));
     }

@@ -21,7 +21,7 @@ pub fn all_questions(dialect: DialectName) -> Vec<Question> {
         };
         calls.into_iter().map(call).map(Question::Call)
     });
-    let words = RecordedSection::ALL.iter().copied().flat_map(questions_of);
+    let words = RecordedSection::ALL.into_iter().flat_map(questions_of);
     words.chain(calls).collect()
 }
 
@@ -87,10 +87,9 @@ pub(super) fn signatures(dialect: DialectName) -> Vec<Signature> {
 fn parts() -> Vec<(ElementaryType, String)> {
     let mut parts = Vec::new();
     for ty in ElementaryType::ALL {
-        let has_bits = ty.is_integer() || ty.is_bit_string();
         for (prefix, width) in [("", 1), ("%X", 1), ("%B", 8), ("%W", 16), ("%D", 32), ("%L", 64)] {
             let count = ty.bits() / width;
-            let mut indices = match (has_bits && ty.bits() > 1, width) {
+            let mut indices = match (ty.is_whole() && ty.bits() > 1, width) {
                 (true, _) => vec![0, count.saturating_sub(1), count],
                 (false, 1) => vec![0],
                 (false, _) => Vec::new(),

@@ -77,19 +77,15 @@ impl Recording {
         match question {
             Question::Implicit(pair) => {
                 let answer = self.implicit(dialect, *pair)?;
-                let has_types =
-                    stickler_exact::has_type(pair.0, dialect) && stickler_exact::has_type(pair.1, dialect);
-                let expected = match has_types {
+                let rules = dialect.rules();
+                let expected = match rules.has(pair.0) && rules.has(pair.1) {
                     true => accepted_or_not(answer),
                     false => Err("a type that the dialect does not have"),
                 };
                 Some((RecordedSection::Implicit, expected))
             }
             Question::Part(ty, part) => {
-                let expected = match (
-                    self.part(dialect, *ty, part)?,
-                    stickler_exact::has_type(*ty, dialect),
-                ) {
+                let expected = match (self.part(dialect, *ty, part)?, dialect.rules().has(*ty)) {
                     (_, false) => Err("a type that the dialect does not have"),
                     (MatrixAnswer::Rejects, _) if part.starts_with('%') => Err(
                         "a part that is rejected: whether the form or the number is wrong was not recorded",

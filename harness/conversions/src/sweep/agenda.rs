@@ -4,7 +4,7 @@ use crate::functions::{NoSuchFunction, find_function};
 use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::ReferenceFunction;
-use stickler_exact::{Operation, Signature, choices_of, signatures};
+use stickler_exact::{Operation, Signature, signatures};
 use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family, MomentUnits};
 
 /// A sweep of one function between fixed types, by one rule.
@@ -83,7 +83,7 @@ pub fn agenda(
 ) -> Result<Vec<Sweep>, AgendaError> {
     let mut sweeps: Vec<Sweep> = Vec::new();
     for dialect in find_function(function, dialects)?.having {
-        let choices = choices_of(dialect);
+        let choices = dialect.rules().conversions;
         for signature in signatures(function, dialect) {
             let Some(reference) = ReferenceFunction::find(&signature, dialect) else {
                 return Err(AgendaError::NotInReference {
@@ -128,8 +128,8 @@ fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
 fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoices {
     let has = |is: fn(ElementaryType) -> bool| signature.operands.iter().any(|ty| is(*ty));
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
-    let mut kept = choices_of(DialectName::ALL[0]);
-    if real && (signature.result.is_integer() || signature.result.is_bit_string()) {
+    let mut kept = DialectName::ALL[0].rules().conversions;
+    if real && signature.result.is_whole() {
         kept.rounding = choices.rounding;
         match signature.operation {
             Operation::Truncate => kept.truncation_out_of_range = choices.truncation_out_of_range,
@@ -178,7 +178,7 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
     }
     if signature.operation != Operation::Convert {
         // A function that names its own way of rounding does not ask how a conversion rounds.
-        kept.rounding = choices_of(DialectName::ALL[0]).rounding;
+        kept.rounding = DialectName::ALL[0].rules().conversions.rounding;
     }
     kept
 }

@@ -67,9 +67,7 @@ impl UnaryCall<'_> {
                 from.is_real() && to.is_integer() && self.basis(&Value::of_real(from, 1.0)).is_some()
             }
             "conversions.text-reading" => {
-                is_pair
-                    && from.family() == Family::Text
-                    && (to.is_integer() || to.is_bit_string() || to.is_real())
+                is_pair && from.family() == Family::Text && (to.is_whole() || to.is_real())
             }
             "conversions.real-text" => is_pair && from.is_real() && to.family() == Family::Text,
             "conversions.bit-string-text" => is_pair && from.is_bit_string() && to.family() == Family::Text,

@@ -67,9 +67,10 @@ impl UnaryCall<'_> {
     pub(super) fn of_strucpp_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned};
         match (self.from.family(), self.to.family()) {
-            (Signed | Unsigned, Signed | Unsigned) => {
-                integer::holds(self.to, integer::number(raw, self.from)).then_some(STANDARD_INTEGERS)
-            }
+            (Signed | Unsigned, Signed | Unsigned) => self
+                .to
+                .holds(integer::number(raw, self.from))
+                .then_some(STANDARD_INTEGERS),
             (Boolean, Signed | Unsigned) => Some(STRUCPP_NUMBERS),
             (BitString, BitString) => Some(BITS_TO_BITS),
             (BitString, Signed | Unsigned) => Some(BITS_AND_NUMBERS),
@@ -79,7 +80,7 @@ impl UnaryCall<'_> {
             (TimeOfDay, Signed | Unsigned) if !self.from.is_third_edition() => {
                 let units = moment::units(raw, self.from, MomentUnits::DaysAndMilliseconds);
                 let is_whole = moment::has_whole_units(raw, self.from, MomentUnits::DaysAndMilliseconds);
-                (is_whole && integer::holds(self.to, units)).then_some(STRUCPP_TIME)
+                (is_whole && self.to.holds(units)).then_some(STRUCPP_TIME)
             }
             (DateAndTime, Date) if self.to == ElementaryType::Date => moment::has_day(raw).then_some(DATES),
             (DateAndTime, DateAndTime | TimeOfDay) | (Duration, Duration) | (TimeOfDay, TimeOfDay) => {

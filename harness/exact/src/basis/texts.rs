@@ -5,7 +5,6 @@
 //! blanks, a plus, zeros in front, underscores, bases, exponents, trailing text, numbers that do not fit.
 
 use super::{MATIEC_TEXTS, NAMING};
-use crate::integer;
 use stickler_types::ElementaryType;
 
 /// Returns the basis of reading a STRING as an integer or a real in `matiec`.
@@ -45,7 +44,7 @@ fn is_plain_integer(text: &[u8], to: ElementaryType) -> bool {
     let magnitude = digits
         .iter()
         .fold(0_i128, |number, digit| number * 10 + i128::from(digit - b'0'));
-    integer::holds(to, if negative { -magnitude } else { magnitude })
+    to.holds(if negative { -magnitude } else { magnitude })
 }
 
 /// Returns whether the text is a number with a point and a fraction in plain notation, with an optional minus, and no more

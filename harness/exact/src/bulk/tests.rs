@@ -1,7 +1,7 @@
 //! Compares the fast form with the exact one: at the boundaries of every source, and on scattered operands.
 
 use super::Bulk;
-use crate::{Operation, Signature, choices_of, functions, signatures, value};
+use crate::{Operation, Signature, functions, signatures, value};
 use std::collections::HashSet;
 use stickler_types::{
     BitsAsInteger, ConversionChoices, DialectName, ElementaryType, Family, MomentUnits, OutOfRange, Rounding,
@@ -15,7 +15,7 @@ fn quick_signatures() -> Vec<Signature> {
     let all = functions(dialect)
         .into_iter()
         .flat_map(|name| signatures(&name, dialect));
-    all.filter(|signature| Bulk::new(signature, &choices_of(dialect)).is_some())
+    all.filter(|signature| Bulk::new(signature, &dialect.rules().conversions).is_some())
         .filter(|signature| seen.insert((signature.operation, signature.operands.clone(), signature.result)))
         .collect()
 }
@@ -34,9 +34,12 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
             rounding,
             out_of_range,
             truncation_out_of_range: out_of_range,
-            ..choices_of(DialectName::MATIEC)
+            ..DialectName::MATIEC.rules().conversions
         })
-        .chain([DialectName::RUSTY, DialectName::STRUCPP, DialectName::CODESYS].map(choices_of))
+        .chain(
+            [DialectName::RUSTY, DialectName::STRUCPP, DialectName::CODESYS]
+                .map(|dialect| dialect.rules().conversions),
+        )
 }
 
 /// Returns whether the operand is a REAL number of days or of counts, the result a TIME of 32 bits, or the bits of the operand are copied.
@@ -109,7 +112,7 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
             .flat_map(|name| signatures(name, dialect))
         {
             let plain = |ty: &ElementaryType| !ty.is_text() && ty.bits() <= 32;
-            let choices = choices_of(dialect);
+            let choices = dialect.rules().conversions;
             let has_none = match signature.result.family() {
                 Family::Date => choices.moment_units == MomentUnits::DaysSince1990,
                 Family::Real => signature.operation != Operation::Convert,
@@ -137,7 +140,7 @@ fn what_is_held_together_can_fall_apart() {
     let with = |rounding| {
         let choices = ConversionChoices {
             rounding,
-            ..choices_of(DialectName::MATIEC)
+            ..DialectName::MATIEC.rules().conversions
         };
         let mut result = [0];
         let bulk = Bulk::new(signature, &choices).expect("it has a quick form");

@@ -34,17 +34,10 @@ impl DecimalFraction {
 
     /// Returns the fraction multiplied by 10^places.
     fn scaled(&self, places: i32) -> DecimalFraction {
-        let power = BigUint::from(10_u32).pow(places.unsigned_abs());
-        if places < 0 {
-            DecimalFraction {
-                numerator: self.numerator.clone(),
-                denominator: &self.denominator * power,
-            }
-        } else {
-            DecimalFraction {
-                numerator: &self.numerator * power,
-                denominator: self.denominator.clone(),
-            }
+        let power = |places: i32| BigUint::from(10_u32).pow(u32::try_from(places).unwrap_or(0));
+        DecimalFraction {
+            numerator: &self.numerator * power(places),
+            denominator: &self.denominator * power(-places),
         }
     }
 
@@ -158,17 +151,11 @@ impl Interval {
     }
 
     fn contains(&self, integer: u64) -> bool {
-        let above_least = match self.least.order(integer) {
-            Ordering::Greater => true,
-            Ordering::Equal => self.closed,
-            Ordering::Less => false,
-        };
-        let below_greatest = match self.greatest.order(integer) {
-            Ordering::Less => true,
-            Ordering::Equal => self.closed,
-            Ordering::Greater => false,
-        };
-        above_least && below_greatest
+        let (above, below) = (self.least.order(integer), self.greatest.order(integer));
+        match self.closed {
+            true => above.is_ge() && below.is_le(),
+            false => above.is_gt() && below.is_lt(),
+        }
     }
 }
 

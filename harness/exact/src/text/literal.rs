@@ -151,17 +151,20 @@ pub(super) struct Decimal<'t> {
 }
 
 impl<'t> Decimal<'t> {
-    /// Reads the longest real number at the current position.
-    pub(super) fn read(scanner: &mut LiteralScanner<'t>) -> Option<Decimal<'t>> {
+    /// Reads the longest real number at the current position; with a loose point, either side of the point may be empty.
+    pub(super) fn read(scanner: &mut LiteralScanner<'t>, has_loose_point: bool) -> Option<Decimal<'t>> {
+        const NONE: Digits<'_> = Digits { spelling: &[] };
         let mut behind = *scanner;
         let negative = behind.sign();
-        let whole = behind.digits(10)?;
+        let whole = behind.digits(10);
+        whole.or(has_loose_point.then_some(NONE))?;
         *scanner = behind;
         let fraction = behind.any_of(b".").and_then(|_| behind.digits(10));
-        match fraction {
-            Some(_) => *scanner = behind,
-            None => behind = *scanner,
+        if fraction.is_some() || has_loose_point {
+            *scanner = behind;
         }
+        whole.or(fraction)?;
+        behind = *scanner;
         let exponent = behind.any_of(b"eE").and_then(|_| {
             let negative = behind.sign();
             Some((negative, behind.digits(10)?))
@@ -169,27 +172,6 @@ impl<'t> Decimal<'t> {
         if exponent.is_some() {
             *scanner = behind;
         }
-        Some(Decimal {
-            negative,
-            whole,
-            fraction,
-            exponent,
-        })
-    }
-
-    /// Reads the longest real number at the current position, of which either side of the point may be empty.
-    pub(super) fn read_with_loose_point(scanner: &mut LiteralScanner<'t>) -> Option<Decimal<'t>> {
-        const NONE: Digits<'_> = Digits { spelling: &[] };
-        let negative = scanner.sign();
-        let whole = scanner.digits(10);
-        let fraction = scanner.any_of(b".").and_then(|_| scanner.digits(10));
-        if whole.is_none() && fraction.is_none() {
-            return None;
-        }
-        let exponent = scanner.any_of(b"eE").and_then(|_| {
-            let negative = scanner.sign();
-            Some((negative, scanner.digits(10)?))
-        });
         Some(Decimal {
             negative,
             whole: whole.unwrap_or(NONE),

@@ -86,7 +86,7 @@ fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
             Some(integer.map_or(0, |integer| residue(integer, to)))
         }
         Family::Real => {
-            let decimal = Decimal::read_with_loose_point(&mut scanner);
+            let decimal = Decimal::read(&mut scanner, true);
             Some(decimal.map_or(0, |decimal| rounded(decimal, to)))
         }
         _ => None,
@@ -167,9 +167,7 @@ fn is_held(integer: &Integer<'_>, to: ElementaryType) -> bool {
             .saturating_mul(integer.base.into())
             .saturating_add(digit.into())
     });
-    let value = if integer.negative { -magnitude } else { magnitude };
-    let range = to.integer_range();
-    range.is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
+    to.holds(if integer.negative { -magnitude } else { magnitude })
 }
 
 /// Returns the integer modulo 2^n of the type.
@@ -201,7 +199,7 @@ fn real_number(scanner: &mut LiteralScanner<'_>, to: ElementaryType) -> Option<u
             return Some(raw);
         }
     }
-    Decimal::read(scanner).map(|decimal| rounded(decimal, to))
+    Decimal::read(scanner, false).map(|decimal| rounded(decimal, to))
 }
 
 /// Returns the raw form nearest to a decimal number, ties to even, rounded once.
@@ -242,7 +240,7 @@ fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
 }
 
 /// The units of time from the greatest to the least, with their nanoseconds.
-const UNITS: [(&str, u64); 7] = [
+pub(super) const UNITS: [(&str, u64); 7] = [
     ("d", 86_400_000_000_000),
     ("h", 3_600_000_000_000),
     ("m", 60_000_000_000),

@@ -1,6 +1,7 @@
 //! Conversions of values to texts.
 
 use super::digits::{self, RoundedDecimal};
+use super::read::UNITS;
 use crate::calendar;
 use crate::integer;
 use crate::real::{self, Finite, Real};
@@ -159,8 +160,8 @@ fn moment(raw: u64, from: ElementaryType) -> String {
         fraction => format!("{seconds}.{}", &format!("{fraction:0<9}")[..places]),
     };
     match from {
-        Time => format!("T#{}", components((raw / 1_000_000).into(), "ms")),
-        Ltime => format!("LTIME#{}", components(raw.into(), "ns")),
+        Time => format!("T#{}", components(raw, &UNITS[..5])),
+        Ltime => format!("LTIME#{}", components(raw, &UNITS)),
         Date => format!("D#{}", date(nanoseconds)),
         Ldate => format!("LD#{}", date(nanoseconds)),
         Tod => format!("TOD#{}", clock(3)),
@@ -171,29 +172,19 @@ fn moment(raw: u64, from: ElementaryType) -> String {
     }
 }
 
-/// Formats a number of milliseconds or nanoseconds by days, hours and so on down to its unit: `1d2h`, `0ms`.
-fn components(number: u128, unit: &str) -> String {
-    let mut below: Vec<(u128, &str)> = vec![(24, "h"), (60, "m"), (60, "s"), (1000, "ms")];
-    if unit == "ns" {
-        below.extend([(1000, "us"), (1000, "ns")]);
+/// Formats nanoseconds in these units, as far as the least of them tells, without those of which there are none: `1d2h`, `0ms`.
+fn components(nanoseconds: u64, units: &[(&str, u64)]) -> String {
+    let mut rest = nanoseconds;
+    let mut written = String::new();
+    for (name, unit) in units {
+        if rest >= *unit {
+            written += &format!("{}{name}", rest / unit);
+        }
+        rest %= unit;
     }
-    let mut rest = number;
-    let mut parts = Vec::new();
-    for (count, name) in below.into_iter().rev() {
-        parts.push((rest % count, name));
-        rest /= count;
-    }
-    parts.push((rest, "d"));
-    let written: String = parts
-        .into_iter()
-        .rev()
-        .filter(|(number, _)| *number > 0)
-        .map(|(number, name)| format!("{number}{name}"))
-        .collect();
-    if written.is_empty() {
-        format!("0{unit}")
-    } else {
-        written
+    match units.last() {
+        Some((name, _)) if written.is_empty() => format!("0{name}"),
+        _ => written,
     }
 }
 

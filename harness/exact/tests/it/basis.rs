@@ -29,7 +29,7 @@ fn some_value(ty: ElementaryType) -> Value {
 #[test]
 fn what_is_asserted_does_not_hang_on_open_choices() {
     // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
-    use stickler_exact::{choices_of, value};
+    use stickler_exact::value;
     use stickler_types::{
         BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MomentText, MomentUnits, OutOfRange,
         RealText, TextReading,
@@ -44,7 +44,7 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         matches!(functions, Ironplc | Matiec | Plcnext | Rusty | Strucpp)
     };
     for dialect in DialectName::ALL.into_iter().filter(states_all) {
-        let own = choices_of(dialect);
+        let own = dialect.rules().conversions;
         // matiec and PLCnext Engineer document what lies outside.
         let out_of_range = match dialect {
             DialectName::MATIEC | DialectName::PLCNEXT => own.out_of_range,

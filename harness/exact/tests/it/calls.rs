@@ -5,15 +5,18 @@
 //! - `basis` is followed by dialects; a row has a source for each of them, by its name in the block `names`.
 //! - `defined` defines a dialect of this name with other choices than `ironplc-ed3`; a row has a result and a source.
 //! - `stated`: what the page of a vendor says. `implicit`: what a value becomes as another type.
+//! - `nearest`: what a function of real numbers gives in the type behind it, or a dash.
 //! - `functions`: the operand and the result of each form of a function.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
 use stickler_exact::{
-    ImplicitResult, Signature, expected, implicit_result, signatures, stated_by_vendor, value,
+    ImplicitResult, Signature, expected, implicit_result, nearest_result, signatures, stated_by_vendor, value,
 };
 use stickler_mdtest::{Block, Difference, same};
-use stickler_types::{Dialect, DialectKind, DialectName, ElementaryType, RealText, Rounding, Value};
+use stickler_types::{
+    Dialect, DialectKind, DialectName, ElementaryType, Question, RealText, Rounding, Value,
+};
 
 #[test]
 fn every_call_gives_what_its_row_says() {
@@ -30,6 +33,7 @@ fn every_call_gives_what_its_row_says() {
             "defined" => defined(block, &names.borrow()),
             "stated" => block.rows(|call, result| stated(block, call, result)),
             "implicit" => block.rows(implicit),
+            "nearest" => block.rows(|call, number| nearest(block, call, number)),
             "widening" => block
                 .rows(|types, word| dialects(block).try_for_each(|dialect| widening(types, word, dialect))),
             "functions" => block.rows(|name, forms| {
@@ -163,6 +167,18 @@ fn stated(block: &Block, call: &str, result: &str) -> Result<(), String> {
             result.to_owned(),
         )
     })
+}
+
+fn nearest(block: &Block, call: &str, number: &str) -> Result<(), String> {
+    let call = format!("{call} : {}", block.options().next().unwrap_or_default());
+    let Ok(Question::Call(call)) = call.parse() else {
+        return Err(format!("`{call}` is no call"));
+    };
+    let given = nearest_result(&call.function, &call.operands, call.result);
+    same(
+        given.map_or("-".to_owned(), |value| value.to_string()),
+        number.to_owned(),
+    )
 }
 
 fn implicit(row: &str, result: &str) -> Result<(), String> {

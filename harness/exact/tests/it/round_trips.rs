@@ -1,7 +1,7 @@
 //! Tests that written texts read back, that the literals of the types crate are read alike, and that texts keep their
 //! limit.
 
-use stickler_exact::{choices_of, expected, signatures, value};
+use stickler_exact::{expected, signatures, value};
 use stickler_types::{
     BitStringText, ConversionChoices, DialectName, ElementaryType, Family, RealText, SplitMix64, TextReading,
     Value, literal,
@@ -37,7 +37,7 @@ fn raw_forms(ty: ElementaryType) -> Vec<u64> {
 
 #[test]
 fn what_is_written_reads_back() {
-    let long = choices_of(DIALECT);
+    let long = DIALECT.rules().conversions;
     let short = ConversionChoices {
         real_text: RealText::SignificantDigits(17),
         bit_string_text: BitStringText::Shortest,
@@ -64,7 +64,7 @@ fn what_is_written_reads_back() {
 
 #[test]
 fn what_is_written_is_the_canonical_literal_but_for_the_prefix() {
-    let choices = choices_of(DIALECT);
+    let choices = DIALECT.rules().conversions;
     for ty in ElementaryType::ALL {
         if ty.is_text() || ty.is_character() {
             continue;
@@ -142,7 +142,7 @@ fn moment(ty: ElementaryType, nanoseconds: Result<i64, literal::LiteralError>) -
 
 #[test]
 fn texts_are_read_as_the_literals_of_the_types_crate_are() {
-    let choices = choices_of(DIALECT);
+    let choices = DIALECT.rules().conversions;
     let mut readable = 0;
     for text in concoctions().take(220_000) {
         for ty in [
@@ -166,7 +166,7 @@ fn texts_are_read_as_the_literals_of_the_types_crate_are() {
 
 #[test]
 fn joining_and_taking_apart_are_inverse() {
-    let choices = choices_of(DIALECT);
+    let choices = DIALECT.rules().conversions;
     for step in -200..=200_i64 {
         // A prime number of nanoseconds, so that all kinds of days and times come up.
         let nanoseconds = step * 45_999_999_999_999_997;
@@ -187,7 +187,7 @@ fn operands_that_do_not_fit_give_the_default() {
         vec![literal("INT#5"), literal("INT#5")],
         vec![Value::enumerated("COLOR", "RED")],
     ] {
-        let given = value(signature, &operands, &choices_of(DIALECT));
+        let given = value(signature, &operands, &DIALECT.rules().conversions);
         assert_eq!(given, Value::plain(ElementaryType::Dint, 0));
         assert_eq!(expected(signature, &operands, DIALECT).basis, None);
     }

@@ -1,7 +1,7 @@
 //! Converts every value of every type of at most 16 bits by every function, and compares with the simplest possible
 //! computation.
 
-use stickler_exact::{Operation, Signature, choices_of, functions, signatures, value};
+use stickler_exact::{Operation, Signature, functions, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Family, Value};
 
 const DIALECT: DialectName = DialectName::IRONPLC_ED3;
@@ -120,7 +120,7 @@ fn text(raw: u64, from: ElementaryType, to: ElementaryType) -> Vec<u16> {
 
 #[test]
 fn every_value_of_every_small_type_through_every_function() {
-    let choices = choices_of(DIALECT);
+    let choices = DIALECT.rules().conversions;
     let mut count = 0;
     for name in functions(DIALECT) {
         for signature in signatures(&name, DIALECT) {
@@ -143,7 +143,7 @@ fn every_value_of_every_small_type_through_every_function() {
 
 #[test]
 fn what_a_small_type_writes_it_reads_back() {
-    let choices = choices_of(DIALECT);
+    let choices = DIALECT.rules().conversions;
     for ty in ElementaryType::ALL {
         if !(1..=16).contains(&ty.bits()) {
             continue;

@@ -4,9 +4,7 @@ use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
 use super::{Evaluated, OpenQuestion, ill_formed};
 use std::sync::LazyLock;
-use stickler_exact::{
-    ImplicitResult, Operation, Signature, choices_of, expected, implicit, implicit_result, value,
-};
+use stickler_exact::{ImplicitResult, Operation, Signature, expected, implicit, implicit_result, value};
 use stickler_types::{ElementaryType, MatrixWord};
 
 const TYPES: usize = ElementaryType::ALL.len();
@@ -68,7 +66,7 @@ impl<'p> ModelEvaluator<'p> {
         let result = value(
             plain,
             std::slice::from_ref(&operand),
-            &choices_of(self.program.dialect),
+            &self.program.dialect.rules().conversions,
         );
         let is_documented = implicit_result(&operand, to) == Some(ImplicitResult::Exactly(result.clone()));
         let granted = implicit(from, to, self.program.dialect) != MatrixWord::Open;

@@ -6,7 +6,7 @@ use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
     AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, ForLoop, Place, Statement, Type,
 };
-use stickler_types::{ElementaryType, Fault};
+use stickler_types::Fault;
 
 /// The way in which a list of statements ended.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -180,7 +180,7 @@ impl<'p> ModelEvaluator<'p> {
             return Err(ill_formed("a FOR loop by 0"));
         }
         while if by > 0 { value <= to } else { value >= to } {
-            if !holds(ty, value) {
+            if !ty.holds(value) {
                 self.open(OpenQuestion::LoopVariable, || {
                     format!("{value} does not fit {ty}")
                 });
@@ -237,11 +237,6 @@ impl<'p> ModelEvaluator<'p> {
 
 fn is_literal(expression: &Expression) -> bool {
     matches!(expression.kind, ExpressionKind::Literal(..))
-}
-
-fn holds(ty: ElementaryType, value: i128) -> bool {
-    ty.integer_range()
-        .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
 }
 
 /// The error of a division by zero.

@@ -208,7 +208,7 @@ impl ProgramBuilder<'_, '_> {
     ///
     /// Arithmetic starts with such a value, because overflow in constant arithmetic is an error (P4040).
     pub fn varying(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
-        let adds = ty.is_integer() || ty.is_real();
+        let adds = ty.is_number();
         let goes_on = depth > 0 && self.nodes_left > 0 && self.random.chance(1, 3);
         if adds && goes_on && self.has(Construct::Arithmetic) && !self.profile.computes_wider(ty) {
             self.nodes_left -= 1;

@@ -214,7 +214,7 @@ impl ProgramBuilder<'_, '_> {
 
 /// Returns whether a place is an integer or bit string, whose bits have names.
 pub(super) fn has_bits(seen: &VisiblePlace) -> bool {
-    matches!(&seen.ty, Type::Elementary(ty) if ty.is_integer() || ty.is_bit_string())
+    matches!(&seen.ty, Type::Elementary(ty) if ty.is_whole())
 }
 
 fn one(ty: ElementaryType) -> Value {

@@ -88,7 +88,7 @@ impl DialectProfile {
 
     /// Returns whether a result that leaves the range of this type may do so until it is stored: the system computes in a wider type.
     pub fn computes_wider(&self, ty: ElementaryType) -> bool {
-        self.dialect.rules().operands == OperandTypes::Promoted && is_whole(ty) && ty.bits() < 32
+        self.dialect.rules().operands == OperandTypes::Promoted && ty.is_whole() && ty.bits() < 32
     }
 
     /// Returns whether a literal beside an operand of this type needs its own: a number beyond 31 bits may be one of 64, in which an operation
@@ -227,10 +227,6 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
     let has = |ty: &ElementaryType| !dialect.rules().lacks(&ty.name().to_ascii_lowercase());
     ElementaryType::ALL.into_iter().filter(has).collect()
-}
-
-const fn is_whole(ty: ElementaryType) -> bool {
-    ty.is_integer() || ty.is_bit_string()
 }
 
 /// Repeats each type by its weight: conversions, widening and bits concern numbers and bit strings.

@@ -15,7 +15,7 @@ impl SourceWriter<'_> {
         let start = self.text.len();
         // Writing to a String does not fail.
         let _ = write!(self.text, "{value}");
-        let Some(ty) = elementary(value) else {
+        let Some(ty) = value.elementary() else {
             return;
         };
         let Some(sign) = self.text[start..].find('#').map(|offset| start + offset) else {
@@ -52,14 +52,6 @@ impl SourceWriter<'_> {
             }
             _ => self.put(&spelled[1..]),
         }
-    }
-}
-
-/// Returns the elementary type of a value; `None` for an enumerated value.
-pub(super) const fn elementary(value: &Value) -> Option<ElementaryType> {
-    match value {
-        Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-        Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => None,
     }
 }
 

@@ -64,12 +64,19 @@ pub struct ConversionFunction {
 enum RuleLookup {
     /// By the pair of types.
     Pair(ConversionChoices),
-    /// [`ConversionRule::ToWhole`].
-    Whole(Rounding),
-    /// [`ConversionRule::FromBcd`].
-    FromBcd,
-    /// [`ConversionRule::ToBcd`].
-    ToBcd,
+    /// One rule for all types.
+    Always(ConversionRule),
+}
+
+const FROM_BCD: RuleLookup = RuleLookup::Always(ConversionRule::FromBcd);
+const TO_BCD: RuleLookup = RuleLookup::Always(ConversionRule::ToBcd);
+
+const fn giving(parameter: Parameter, to: ElementaryType, meaning: RuleLookup) -> ConversionFunction {
+    ConversionFunction {
+        parameter,
+        result: ResultType::Exactly(to),
+        meaning,
+    }
 }
 
 const fn any_of(allowed: &'static [ElementaryType], default: ElementaryType) -> Parameter {
@@ -145,9 +152,7 @@ impl ConversionFunction {
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
             RuleLookup::Pair(choices) => ConversionRule::between(argument, result, &choices),
-            RuleLookup::Whole(rounding) => Some(ConversionRule::ToWhole(rounding)),
-            RuleLookup::FromBcd => Some(ConversionRule::FromBcd),
-            RuleLookup::ToBcd => Some(ConversionRule::ToBcd),
+            RuleLookup::Always(rule) => Some(rule),
         };
         Conversion {
             from: argument,
@@ -218,28 +223,23 @@ fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
 /// `<SRC>_TO_<DST>`.
 fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
     let has_meaning = ConversionRule::between(from, to, &dialect.conversions).is_some();
-    (from != to && has_meaning).then_some(ConversionFunction {
-        parameter: Parameter::Exactly(from),
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions);
+    (from != to && has_meaning).then_some(giving(Parameter::Exactly(from), to, meaning))
 }
 
 /// `TO_<DST>`, `TO_BCD_<BITS>`.
 fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     if let Some(bits) = to.strip_prefix("BCD_") {
-        return any_to_bcd(one_of(BITS, bits)?);
+        let parameter = any_of(UNSIGNED, ElementaryType::Uint);
+        return Some(giving(parameter, one_of(BITS, bits)?, TO_BCD));
     }
     let to = elementary(to, dialect)?;
     let allowed = match dialect.inputs.get(&to) {
         Some(&inputs) => inputs,
         None => SOURCES.get(to as usize)?,
     };
-    Some(ConversionFunction {
-        parameter: any_of(allowed, ElementaryType::Dint),
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions);
+    Some(giving(any_of(allowed, ElementaryType::Dint), to, meaning))
 }
 
 /// TRUNC and its kin, ROUND and its kin.
@@ -247,7 +247,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
     let any_real = any_of(REALS, ElementaryType::Real);
     let (stem, named) = match name.split_once('_') {
         Some((stem, to)) => {
-            let to = elementary(to, dialect).filter(|ty| ty.is_integer() || ty.is_real());
+            let to = elementary(to, dialect).filter(|ty| ty.is_number());
             (stem, Some(to?))
         }
         None => (name, None),
@@ -276,7 +276,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         _ => ResultType::Exactly(to),
     };
     let meaning = match to.is_real() {
-        true => RuleLookup::Whole(rounding),
+        true => RuleLookup::Always(ConversionRule::ToWhole(rounding)),
         false => RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),
     };
     dialect.rounding_functions.then_some(ConversionFunction {
@@ -291,11 +291,8 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
         Parameter::Exactly(from) => from.is_real(),
         Parameter::AnyOf { .. } => true,
     };
-    (takes_real && to.is_integer()).then_some(ConversionFunction {
-        parameter,
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions.of_truncation()),
-    })
+    let meaning = RuleLookup::Pair(dialect.conversions.of_truncation());
+    (takes_real && to.is_integer()).then_some(giving(parameter, to, meaning))
 }
 
 /// The names with BCD in them, the overloaded `TO_BCD_<BITS>` aside.
@@ -307,7 +304,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_INTEGERS,
                 default: ElementaryType::Int,
             },
-            meaning: RuleLookup::FromBcd,
+            meaning: FROM_BCD,
         }),
         ("INT", "BCD") => Some(ConversionFunction {
             parameter: any_of(BCD_INTEGERS, ElementaryType::Int),
@@ -315,40 +312,23 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
                 allowed: BCD_BITS,
                 default: ElementaryType::Word,
             },
-            meaning: RuleLookup::ToBcd,
+            meaning: TO_BCD,
         }),
-        ("BCD", to) => Some(ConversionFunction {
-            parameter: any_of(BITS, ElementaryType::Word),
-            result: ResultType::Exactly(one_of(UNSIGNED, to)?),
-            meaning: RuleLookup::FromBcd,
-        }),
-        _ => bcd_of_pair(from, to),
+        ("BCD", to) => {
+            let parameter = any_of(BITS, ElementaryType::Word);
+            Some(giving(parameter, one_of(UNSIGNED, to)?, FROM_BCD))
+        }
+        _ => match from.strip_suffix("_BCD") {
+            Some(bits) => {
+                let parameter = Parameter::Exactly(one_of(BITS, bits)?);
+                Some(giving(parameter, one_of(UNSIGNED, to)?, FROM_BCD))
+            }
+            None => {
+                let parameter = Parameter::Exactly(one_of(UNSIGNED, from)?);
+                Some(giving(parameter, one_of(BITS, to.strip_prefix("BCD_")?)?, TO_BCD))
+            }
+        },
     }
-}
-
-fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
-    let (parameter, result, meaning) = if let Some(bits) = from.strip_suffix("_BCD") {
-        (one_of(BITS, bits)?, one_of(UNSIGNED, to)?, RuleLookup::FromBcd)
-    } else {
-        (
-            one_of(UNSIGNED, from)?,
-            one_of(BITS, to.strip_prefix("BCD_")?)?,
-            RuleLookup::ToBcd,
-        )
-    };
-    Some(ConversionFunction {
-        parameter: Parameter::Exactly(parameter),
-        result: ResultType::Exactly(result),
-        meaning,
-    })
-}
-
-fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
-    Some(ConversionFunction {
-        parameter: any_of(UNSIGNED, ElementaryType::Uint),
-        result: ResultType::Exactly(to),
-        meaning: RuleLookup::ToBcd,
-    })
 }
 
 fn one_of(types: &[ElementaryType], name: &str) -> Option<ElementaryType> {

@@ -35,10 +35,9 @@ fn specified(raw: u64, from: ElementaryType, specification: &str) -> Option<Stri
         'I' => {
             let reals = RealText::SignificantDigits(if from == ElementaryType::Real { 7 } else { 15 });
             let text = writing::write(raw, from, reals, BitStringText::FullWidth, MomentText::Literal);
-            let text = String::from_utf16_lossy(&text);
             Some(text.replace("e+", "E+").replace("e-", "E-"))
         }
-        'D' if from.is_integer() || from.is_bit_string() => {
+        'D' if from.is_whole() => {
             let number = from.integer_value(raw);
             let (sign, width) = (if number < 0 { "-" } else { "" }, precision.unwrap_or(1));
             Some(format!("{sign}{:0width$}", number.unsigned_abs()))

@@ -24,10 +24,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
             Widening::ThirdEdition => third_edition(from, to),
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
-            Widening::IntegersAndReals => {
-                let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
-                is_number(from) && is_number(to)
-            }
+            Widening::IntegersAndReals => from.is_number() && to.is_number(),
             Widening::NumbersUnlessNarrower => numbers_unless_narrower(from, to),
             Widening::NumbersApartFromBool => {
                 from != ElementaryType::Bool && to != ElementaryType::Bool && numbers(from, to)
@@ -79,9 +76,8 @@ pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dial
 ///
 /// Basis: twincat-builds: recordings/twincat.build.json (`bound_…`, `cc_literal_…`).
 pub(crate) fn literal_warning(number: i128, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
-    let (low, high) = to.integer_range()?;
     let is_warned = dialect.literals_by_width && dialect.implicit_warnings == ImplicitWarnings::LostValues;
-    (is_warned && !(low..=high).contains(&number)).then_some(if number < 0 {
+    (is_warned && to.integer_range().is_some() && !to.holds(number)).then_some(if number < 0 {
         Code::SignedToUnsigned
     } else {
         Code::UnsignedToSigned
@@ -133,7 +129,7 @@ fn ironplc(from: ElementaryType, to: ElementaryType) -> bool {
         || integer_fits_real(from, to)
         || real_fits_real(from, to)
         || bit_string_fits_bit_string(from, to)
-        || short_or_long_form(from, to)
+        || from.is_form_of(to)
 }
 
 /// The coloured table of PLCnext Engineer: the same rule taken literally (LINT and ULINT do not fit LREAL),
@@ -167,13 +163,12 @@ const fn keeps_every_value(from: ElementaryType, to: ElementaryType) -> bool {
 ///
 /// Basis: that of the dialect's [`OperandTypes`], and of the wider operand.
 pub fn common_operand(left: ElementaryType, right: ElementaryType, dialect: &Dialect) -> ElementaryType {
-    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
     let is_unsigned = |ty: ElementaryType| ty.family() == Family::Unsigned;
     let takes_right = match (dialect.operands, rank(left).zip(rank(right))) {
         (OperandTypes::HigherRank, Some((of_left, of_right))) => {
             (of_right, is_unsigned(right)) > (of_left, is_unsigned(left))
         }
-        (OperandTypes::Promoted, _) if is_whole(left) && is_whole(right) && left.bits() == right.bits() => {
+        (OperandTypes::Promoted, _) if left.is_whole() && right.is_whole() && left.bits() == right.bits() => {
             right.is_signed()
         }
         _ => wider_operand(left, right) == right,
@@ -216,10 +211,10 @@ fn wider_operand(left: ElementaryType, right: ElementaryType) -> ElementaryType 
 /// src/validation/tests/assignment_validation_tests.rs; strucpp-tests:
 /// tests/semantic/type-validation.test.ts (conditions).
 fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
-    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
+    let is_number = |ty: ElementaryType| ty.is_number() || ty.is_bit_string();
     let has_number = is_number(from) || from == ElementaryType::Bool;
     let is_truth_value = from.is_bit_string() && to == ElementaryType::Bool;
-    (has_number && is_number(to)) || is_truth_value || short_or_long_form(from, to)
+    (has_number && is_number(to)) || is_truth_value || from.is_form_of(to)
 }
 
 /// Every integer and bit string into those with as many bits or more, and every number and bit string into REAL and LREAL; what concerns a type that was not
@@ -228,9 +223,8 @@ fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
 /// Basis: codesys-implicit.
 fn numbers_unless_narrower(from: ElementaryType, to: ElementaryType) -> bool {
     use ElementaryType::{Bool, Time};
-    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
-    let fits = is_whole(from) && is_whole(to) && from.bits() <= to.bits();
-    let is_open = short_or_long_form(from, to) && from != Time && to != Time;
+    let fits = from.is_whole() && to.is_whole() && from.bits() <= to.bits();
+    let is_open = from.is_form_of(to) && from != Time && to != Time;
     fits || (from != Bool && numbers(from, to) && to.is_real()) || is_open
 }
 
@@ -239,15 +233,8 @@ fn numbers_unless_narrower(from: ElementaryType, to: ElementaryType) -> bool {
 /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs; rusty-datatypes: Date and Time ("already treats … as 64
 /// bit numbers").
 fn moments(from: ElementaryType, to: ElementaryType) -> bool {
-    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
-    (is_moment(from) && (is_number(to) || is_moment(to))) || (is_number(from) && is_moment(to))
-}
-
-const fn is_moment(ty: ElementaryType) -> bool {
-    matches!(
-        ty.family(),
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
-    )
+    let is_number = |ty: ElementaryType| ty.is_number() || ty.is_bit_string();
+    (from.is_moment() && (is_number(to) || to.is_moment())) || (is_number(from) && to.is_moment())
 }
 
 /// Every value of the one integer type is a value of the other.
@@ -294,11 +281,6 @@ const fn bit_string_fits_bit_string(from: ElementaryType, to: ElementaryType) ->
 /// Basis: ironplc-type-conversions: Cross-family widening.
 const fn bit_string_fits_integer(from: ElementaryType, to: ElementaryType) -> bool {
     from.is_bit_string() && to.is_integer() && from.bits() < to.bits()
-}
-
-/// TIME and LTIME, DATE and LDATE, TOD and LTOD, DT and LDT, either way.
-fn short_or_long_form(from: ElementaryType, to: ElementaryType) -> bool {
-    from.long_form() == Some(to) || to.long_form() == Some(from)
 }
 
 #[cfg(test)]

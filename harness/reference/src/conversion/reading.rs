@@ -89,31 +89,18 @@ fn read_digits(text: &str, to: ElementaryType) -> u64 {
         return read_integer(&text[..sign + whole.len()], to);
     }
     let behind = &text[sign + whole.len()..];
-    let fraction = behind.strip_prefix('.').unwrap_or("");
-    let fraction = &fraction[..digits_length(fraction, 10)];
+    let (fraction, behind) = match behind.strip_prefix('.') {
+        Some(rest) => rest.split_at(digits_length(rest, 10)),
+        None => ("", behind),
+    };
     if whole.is_empty() && fraction.is_empty() {
         return 0;
     }
-    let point = usize::from(behind.starts_with('.'));
-    let exponent = behind[point + fraction.len()..]
-        .strip_prefix(['e', 'E'])
-        .unwrap_or("");
-    let power_sign = sign_length(exponent);
-    let power = match digits_length(&exponent[power_sign..], 10) {
-        0 => String::new(),
-        length => format!("E{}", &exponent[..power_sign + length]),
-    };
-    let filled = |digits: &str| {
-        if digits.is_empty() {
-            "0".to_owned()
-        } else {
-            digits.to_owned()
-        }
-    };
-    read_real(
-        &format!("{}{}.{}{power}", &text[..sign], filled(whole), filled(fraction)),
-        to,
-    )
+    let exponent = Some(behind).filter(|behind| behind.starts_with(['e', 'E']));
+    let exponent = exponent.unwrap_or_default();
+    // The zeros change no number, and stand where there are no digits.
+    let number = format!("{}0{whole}.{fraction}0{exponent}", &text[..sign]);
+    read_real(leading_real(&number), to)
 }
 
 /// The longest beginning that is an integer literal, perhaps with a sign; empty where there is none.
@@ -176,11 +163,7 @@ fn digits_length(text: &str, base: u32) -> usize {
 
 /// Returns whether the target holds an integer literal.
 fn is_in_range(text: &str, to: ElementaryType) -> bool {
-    let holds = |value| {
-        to.integer_range()
-            .is_some_and(|(least, greatest)| (least..=greatest).contains(&value))
-    };
-    literal::integer(text).is_ok_and(holds)
+    literal::integer(text).is_ok_and(|number| to.holds(number))
 }
 
 /// An integer literal modulo 2^n of the target, however many digits it has.

@@ -299,16 +299,8 @@ impl Conversion {
         }
     }
 
-    /// Converts many values, none of them a text: calls `sink` with the raw forms of each operand and its result.
-    /// Converts each raw form as [`Self::apply`] does, but the rule is chosen once, outside the loop, which is what makes
-    /// sweeps over all values of a type quick.
-    pub fn apply_to_all(self, operands: impl Iterator<Item = u64>, mut sink: impl FnMut(u64, u64)) {
-        one_loop_for_each_rule!(self, conversion => {
-            operands.for_each(|operand| sink(operand, conversion.apply_here(operand)));
-        });
-    }
-
-    /// Converts from one slice into another, which is quicker than in place; the shorter of the two decides how many.
+    /// Converts the raw forms of one slice, none of them a text, into another, each as [`Self::apply`] does; the shorter of the two decides how
+    /// many. The rule is chosen once, outside the loop, which is what makes sweeps over all values of a type quick.
     pub fn apply_to_slice(self, operands: &[u64], results: &mut [u64]) {
         one_loop_for_each_rule!(self, conversion => {
             for (operand, result) in operands.iter().zip(results) {
@@ -345,7 +337,8 @@ impl Conversion {
         match self.rule {
             ConversionRule::CharacterToText => text::of_character(value, self.to),
             ConversionRule::WriteText(reals, bits, moments) => {
-                writing::write(value, self.from, reals, bits, moments)
+                let text = writing::write(value, self.from, reals, bits, moments);
+                text.bytes().map(u16::from).collect()
             }
             _ => Vec::new(),
         }

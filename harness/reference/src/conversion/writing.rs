@@ -7,11 +7,11 @@
 //! Basis: forgeiec-conversion-functions: The naming pattern (`<num>_TO_STRING`); the form is open.
 
 use super::real;
-use std::fmt;
+use std::fmt::{self, Write as _};
 use stickler_types::literal::DURATION_UNITS;
 use stickler_types::{BitStringText, ElementaryType, Family, MomentText, RealText, Value};
 
-/// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, BYTE … LWORD, and
+/// Writes a value as text, in ASCII characters; `reals` and `bits` say in which form REAL and LREAL, BYTE … LWORD, and
 /// durations and dates are written.
 #[must_use]
 pub fn write(
@@ -20,8 +20,8 @@ pub fn write(
     reals: RealText,
     bits: BitStringText,
     moments: MomentText,
-) -> Vec<u16> {
-    let mut text = Units(Vec::new());
+) -> String {
+    let mut text = String::new();
     let written = match (from.family(), reals, bits) {
         (Family::Real, RealText::ByWidth, _) => by_width(&mut text, raw, from),
         (Family::Duration, ..) if moments == MomentText::Components => duration(&mut text, raw, from),
@@ -31,24 +31,19 @@ pub fn write(
         (Family::Real, RealText::SignificantDigits(digits), _) if real::decode(raw, from).is_finite() => {
             rounded_digits(&mut text, real::decode(raw, from), digits)
         }
-        (Family::BitString, _, BitStringText::Shortest) => fmt::write(&mut text, format_args!("16#{raw:x}")),
-        (Family::BitString, _, BitStringText::Decimal) => fmt::write(&mut text, format_args!("{raw}")),
+        (Family::BitString, _, BitStringText::Shortest) => write!(text, "16#{raw:x}"),
+        (Family::BitString, _, BitStringText::Decimal) => write!(text, "{raw}"),
         _ => literal(&mut text, raw, from),
     };
-    debug_assert!(written.is_ok(), "a vector takes everything");
-    text.0
+    debug_assert!(written.is_ok(), "a text takes everything");
+    text
 }
 
 /// The value's literal, with no more of a prefix than it needs.
-fn literal(text: &mut Units, raw: u64, from: ElementaryType) -> fmt::Result {
-    fmt::write(text, format_args!("{}", Value::plain(from, raw)))?;
-    let behind_prefix = text
-        .0
-        .iter()
-        .position(|&unit| unit == u16::from(b'#'))
-        .map_or(0, |at| at + 1);
-    text.0
-        .splice(..behind_prefix, prefix(from).bytes().map(u16::from));
+fn literal(text: &mut String, raw: u64, from: ElementaryType) -> fmt::Result {
+    write!(text, "{}", Value::plain(from, raw))?;
+    let behind_prefix = text.find('#').map_or(0, |at| at + 1);
+    text.replace_range(..behind_prefix, prefix(from));
     Ok(())
 }
 
@@ -198,15 +193,5 @@ fn without_trailing_zeros(digits: &str) -> &str {
         digits.trim_end_matches('0').trim_end_matches('.')
     } else {
         digits
-    }
-}
-
-/// Code units to be written to; all that is written is ASCII.
-struct Units(Vec<u16>);
-
-impl fmt::Write for Units {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0.extend(text.bytes().map(u16::from));
-        Ok(())
     }
 }

@@ -42,13 +42,12 @@ pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {
     }
 }
 
-/// The one of two values that lies further in a direction; the first of equal ones, and a number rather than a
+/// Returns whether the second of two values lies further in a direction than the first; a number does rather than a
 /// NaN. Basis: IEC 60559 (minNum, maxNum).
 #[must_use]
-pub fn extreme(ty: ElementaryType, further: Ordering, first: u64, second: u64) -> u64 {
+pub fn lies_further(ty: ElementaryType, further: Ordering, second: u64, first: u64) -> bool {
     match order(ty, second, first) {
-        Some(order) if order == further => second,
-        None if order(ty, first, first).is_none() => second,
-        _ => first,
+        Some(order) => order == further,
+        None => order(ty, first, first).is_none(),
     }
 }

@@ -42,11 +42,7 @@ impl LoopCounter {
     /// The next control value, wrapped to its type, and whether the loop goes on with it.
     pub fn next(self) -> (u64, bool) {
         let sum = self.control + self.step;
-        let fits = self
-            .types
-            .control
-            .integer_range()
-            .is_some_and(|(low, high)| (low..=high).contains(&sum));
+        let fits = self.types.control.holds(sum);
         (self.types.control.wrap(sum), fits && self.goes_on_with(sum))
     }
 }

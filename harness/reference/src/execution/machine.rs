@@ -172,6 +172,15 @@ impl<'p> Machine<'p> {
                     self.operands.push(address.wrapping_add(offset));
                 }
 
+                Instruction::SubscriptWithin { unsigned } => {
+                    let (high, stride) = self.pop_pair()?;
+                    let low = self.pop()?;
+                    let (address, subscript) = self.pop_pair()?;
+                    let limits = (low.cast_signed(), high.cast_signed());
+                    let offset = element(subscript, limits, unsigned)?.wrapping_mul(stride);
+                    self.operands.push(address.wrapping_add(offset));
+                }
+
                 Instruction::Load(address) => self.operands.push(self.memory.load(address)?),
                 Instruction::Store(address) => {
                     let value = self.pop()?;
@@ -196,6 +205,8 @@ impl<'p> Machine<'p> {
                 Instruction::Locate(layout) => self.locate(layout)?,
                 Instruction::Peek(layout) => self.peek(layout)?,
                 Instruction::Poke(layout) => self.poke(layout)?,
+                Instruction::Gather(layout) => self.transfer(layout, true)?,
+                Instruction::Scatter(layout) => self.transfer(layout, false)?,
 
                 Instruction::Part(part) => {
                     let value = self.pop()?;
@@ -268,7 +279,12 @@ impl<'p> Machine<'p> {
                     let (control, goes_on) = self.pop_counting(types)?.next();
                     self.operands.extend([control, goes_on.into()]);
                 }
-                Instruction::Standard { function, of, count } => self.standard(function, of, count)?,
+                Instruction::Standard {
+                    function,
+                    of,
+                    count,
+                    numbers,
+                } => self.standard(function, of, count.into(), numbers.into())?,
 
                 Instruction::Jump(label) => self.go_to(label)?,
                 Instruction::JumpIfFalse(label) => {

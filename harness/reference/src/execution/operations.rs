@@ -107,32 +107,33 @@ impl Machine<'_> {
         &mut self,
         function: StandardFunction,
         of: ElementaryType,
-        count: u16,
+        count: usize,
+        numbers: usize,
     ) -> Result<(), Halt> {
         if of.is_text() {
-            return self.standard_on_texts(function, count);
+            return self.standard_on_texts(function, count, numbers);
         }
-        let operands = standard::operand_count(function, count);
-        let first = self
-            .operands
-            .len()
-            .checked_sub(operands)
-            .ok_or(Halt::Missing("operand"))?;
+        let first = self.operands.len().checked_sub(count + numbers);
+        let first = first.ok_or(Halt::Missing("operand"))?;
         let result = standard::of_plain(function, of, self.operands.get(first..).unwrap_or_default())?;
         self.operands.truncate(first);
         self.operands.push(result);
         Ok(())
     }
 
-    pub(super) fn standard_on_texts(&mut self, function: StandardFunction, count: u16) -> Result<(), Halt> {
+    fn standard_on_texts(
+        &mut self,
+        function: StandardFunction,
+        count: usize,
+        numbers: usize,
+    ) -> Result<(), Halt> {
         if function == StandardFunction::Len {
             let length = self.pop_text()?.len() as u64;
             self.operands.push(narrow(length, ElementaryType::Int));
             return Ok(());
         }
         if let StandardFunction::InOrder(operator) = function {
-            let first = self.texts.len().checked_sub(usize::from(count));
-            let first = first.ok_or(Halt::Missing("text operand"))?;
+            let first = self.first_text(count)?;
             let mut pairs = self.texts[first..].windows(2);
             let is_in_order = pairs.all(|pair| comparison::holds(operator, Some(pair[0].cmp(&pair[1]))));
             self.texts.truncate(first);
@@ -146,23 +147,20 @@ impl Machine<'_> {
             self.operands.push(narrow(found, ElementaryType::Int));
             return Ok(());
         }
-        let numbers = standard::number_count(function);
         let deepest = self.operands.len().checked_sub(numbers);
         let numbers = self.operands.split_off(deepest.ok_or(Halt::Missing("operand"))?);
-        let texts = standard::text_count(function, count);
-        let first = self
-            .texts
-            .len()
-            .checked_sub(texts)
-            .ok_or(Halt::Missing("text operand"))?;
-        let result = standard::of_texts(
-            function,
-            &numbers,
-            self.texts.get_mut(first..).unwrap_or_default(),
-        )?;
+        let first = self.first_text(count)?;
+        let texts = self.texts.get_mut(first..).unwrap_or_default();
+        let result = standard::of_texts(function, &numbers, texts)?;
         self.spend_on_text(result.len() as u64)?;
         self.texts.truncate(first);
         self.texts.push(result);
         Ok(())
+    }
+
+    /// Returns the index of the deepest of the uppermost texts on the stack.
+    fn first_text(&self, count: usize) -> Result<usize, Halt> {
+        let first = self.texts.len().checked_sub(count);
+        first.ok_or(Halt::Missing("text operand"))
     }
 }

@@ -4,7 +4,7 @@
 //! count or a selector may lie outside its range, [`StandardFunction`] says what happens.
 
 use super::arithmetic::absolute;
-use super::comparison::{compare, extreme};
+use super::comparison::{compare, lies_further};
 use super::stop::Halt;
 use crate::conversion::real;
 use crate::instruction::{FaultKind, RealFunction, StandardFunction, TextPart};
@@ -15,38 +15,6 @@ use std::ops::Range;
 use stickler_types::ElementaryType;
 use stickler_types::dialect::TextPositions;
 use stickler_types::literal::date;
-
-/// Counts the numbers that a function takes from the stack besides its texts: a selector, a length, a position.
-pub(super) fn number_count(function: StandardFunction) -> usize {
-    use TextPart::{Delete, Insert, Left, Mid, Replace, Right};
-    match function {
-        StandardFunction::Sel | StandardFunction::Mux => 1,
-        StandardFunction::Part(Left | Right | Insert, _) => 1,
-        StandardFunction::Part(Mid | Delete | Replace, _) => 2,
-        _ => 0,
-    }
-}
-
-/// Counts the plain operands that a function takes from the stack, its selector included.
-pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
-    match function {
-        StandardFunction::Abs
-        | StandardFunction::FiniteAbs
-        | StandardFunction::SwapBytes
-        | StandardFunction::IsValid
-        | StandardFunction::IsValidBcd => 1,
-        StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
-        StandardFunction::Sel | StandardFunction::Limit | StandardFunction::FiniteLimit => 3,
-        StandardFunction::Mux => usize::from(count) + 1,
-        StandardFunction::Min
-        | StandardFunction::Max
-        | StandardFunction::InOrder(_)
-        | StandardFunction::Compose
-        | StandardFunction::Real(_)
-        | StandardFunction::RealOrStop(_) => usize::from(count),
-        _ => number_count(function),
-    }
-}
 
 /// The result for plain operands, the deepest first.
 pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &[u64]) -> Result<u64, Halt> {
@@ -75,26 +43,11 @@ pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &
         (StandardFunction::IsValidBcd, &[value]) => {
             Ok((0..16).all(|digit| (value >> (4 * digit)) & 15 < 10).into())
         }
-        (StandardFunction::Sel, &[choice, if_false, if_true]) => {
-            Ok(if choice == 0 { if_false } else { if_true })
-        }
-        (StandardFunction::Mux, [selector, values @ ..]) => {
-            let chosen = usize::try_from(*selector)
-                .ok()
-                .and_then(|index| values.get(index));
-            chosen.copied().ok_or(FaultKind::SubscriptRange.into())
-        }
-        (StandardFunction::Min, values) => furthest(of, Ordering::Less, values),
-        (StandardFunction::Max, values) => furthest(of, Ordering::Greater, values),
         (StandardFunction::InOrder(operator), values) => {
             let is_in_order = values
                 .windows(2)
                 .all(|pair| compare(operator, of, pair[0], pair[1]));
             Ok(is_in_order.into())
-        }
-        (StandardFunction::Limit | StandardFunction::FiniteLimit, &[minimum, value, maximum]) => {
-            let raised = extreme(of, Ordering::Greater, value, minimum);
-            Ok(extreme(of, Ordering::Less, raised, maximum))
         }
         (StandardFunction::Shl, &[value, count]) => {
             Ok(shift_count(count, of).map_or(0, |n| narrow(value << n, of)))
@@ -107,7 +60,44 @@ pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &
             (count.cast_signed() % i64::from(of.bits().max(1))).wrapping_neg(),
             of,
         )),
-        _ => Err(Halt::Missing("operand of a standard function")),
+        _ => {
+            let has_selector = matches!(called, StandardFunction::Sel | StandardFunction::Mux);
+            let (numbers, values) = operands.split_at_checked(has_selector.into()).ok_or(MISSING)?;
+            let lies_further =
+                |further, second: &u64, first: &u64| lies_further(of, further, *second, *first);
+            let chosen = chosen(called, numbers, values, lies_further)?;
+            values.get(chosen).copied().ok_or(MISSING)
+        }
+    }
+}
+
+const MISSING: Halt = Halt::Missing("operand of a standard function");
+
+/// Returns the position of the value that SEL, MUX, MIN, MAX or LIMIT gives, of which the first two have a selector. `lies_further` tells whether
+/// the first of two values lies further in a direction than the second; of equal ones the first counts.
+fn chosen<T>(
+    function: StandardFunction,
+    selector: &[u64],
+    values: &[T],
+    lies_further: impl Fn(Ordering, &T, &T) -> bool,
+) -> Result<usize, Halt> {
+    let further = |direction, second: usize, first: usize| {
+        let is_further = lies_further(direction, &values[second], &values[first]);
+        if is_further { second } else { first }
+    };
+    let furthest = |direction| (1..values.len()).fold(0, |first, second| further(direction, second, first));
+    match (function, selector) {
+        (StandardFunction::Sel, [choice]) => Ok(usize::from(*choice != 0)),
+        (StandardFunction::Mux, [selector]) => usize::try_from(*selector)
+            .ok()
+            .filter(|index| *index < values.len())
+            .ok_or(FaultKind::SubscriptRange.into()),
+        (StandardFunction::Min, _) => Ok(furthest(Ordering::Less)),
+        (StandardFunction::Max, _) => Ok(furthest(Ordering::Greater)),
+        (StandardFunction::Limit | StandardFunction::FiniteLimit, _) if values.len() == 3 => {
+            Ok(further(Ordering::Less, 2, further(Ordering::Greater, 0, 1)))
+        }
+        _ => Err(MISSING),
     }
 }
 
@@ -115,29 +105,28 @@ pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &
 ///
 /// Basis: iec-61131-3: Table 36, which does not say what numbers give that no date has.
 fn composed(of: ElementaryType, fields: &[u64]) -> Result<u64, Halt> {
-    let text: Vec<String> = fields
-        .iter()
-        .map(|field| field.cast_signed().to_string())
-        .collect();
-    let milliseconds = fields
-        .get(3..)
-        .and_then(<[u64]>::last)
-        .copied()
-        .unwrap_or_default();
-    let read = match &text[..] {
-        _ if milliseconds > 999 => None,
-        [year, month, day] => date::date(&format!("{year}-{month}-{day}")).ok(),
-        [hour, minute, second, _] => {
-            date::time_of_day(&format!("{hour}:{minute}:{second}.{milliseconds:03}")).ok()
-        }
-        [year, month, day, hour, minute, second, _] => date::date_and_time(&format!(
-            "{year}-{month}-{day}-{hour}:{minute}:{second}.{milliseconds:03}"
-        ))
-        .ok(),
-        _ => return Err(Halt::Missing("operand of a standard function")),
+    let fields: Vec<i64> = fields.iter().map(|field| field.cast_signed()).collect();
+    let (day, time) = match fields[..] {
+        [year, month, day] => (date::days(year, month, day), Some(0)),
+        [hour, minute, second, milliseconds] => (Some(0), time_of_day(hour, minute, second, milliseconds)),
+        [year, month, day, hour, minute, second, milliseconds] => (
+            date::days(year, month, day),
+            time_of_day(hour, minute, second, milliseconds),
+        ),
+        _ => return Err(MISSING),
     };
-    let moment = read.ok_or(FaultKind::Subrange)?;
+    let moment = day
+        .zip(time)
+        .and_then(|(day, time)| date::instant(day, time).ok());
+    let moment = moment.ok_or(FaultKind::Subrange)?;
     Ok(narrow(moment.cast_unsigned(), of))
+}
+
+/// Returns the nanoseconds since midnight of a time of day; `None` where a day has no such time.
+fn time_of_day(hour: i64, minute: i64, second: i64, milliseconds: i64) -> Option<i64> {
+    let fields = [(hour, 24), (minute, 60), (second, 60), (milliseconds, 1000)];
+    let is_time = fields.iter().all(|(field, limit)| (0..*limit).contains(field));
+    is_time.then(|| (((hour * 60 + minute) * 60 + second) * 1000 + milliseconds) * 1_000_000)
 }
 
 /// Returns what a function of real numbers gives; of one of a REAL, before it is rounded to that type.
@@ -157,14 +146,6 @@ fn of_reals(function: RealFunction, values: &[f64]) -> f64 {
         ArcTangent => value.atan(),
         ArcTangent2 => value.atan2(values.get(1).copied().unwrap_or(f64::NAN)),
     }
-}
-
-fn furthest(of: ElementaryType, further: Ordering, values: &[u64]) -> Result<u64, Halt> {
-    let furthest = values
-        .iter()
-        .copied()
-        .reduce(|first, second| extreme(of, further, first, second));
-    furthest.ok_or(Halt::Missing("operand of a standard function"))
 }
 
 /// The count of a shift where it lies within the width.
@@ -194,17 +175,6 @@ fn rotated_left(value: u64, count: i64, of: ElementaryType) -> u64 {
 
 /// A text on the machine's stack: a constant of the program, or what the run made.
 pub(super) type Text<'p> = Cow<'p, [u16]>;
-
-/// Counts the texts that a function takes from the stack.
-pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
-    match function {
-        StandardFunction::Part(TextPart::Insert | TextPart::Replace, _) => 2,
-        StandardFunction::Len | StandardFunction::Part(..) => 1,
-        StandardFunction::Sel | StandardFunction::Find => 2,
-        StandardFunction::Limit => 3,
-        _ => usize::from(count),
-    }
-}
 
 /// Returns the characters of a text of this length that a number of them from a position on are, as far as they are there.
 ///
@@ -294,47 +264,19 @@ fn of_clipped(part: TextPart, numbers: &[i64], texts: &[Text<'_>]) -> Option<Vec
     }
 }
 
-/// The resulting text for texts, the deepest first; `numbers` are those of [`number_count`].
+/// The resulting text for texts and the numbers besides, the deepest of each first.
 pub(super) fn of_texts<'p>(
     function: StandardFunction,
     numbers: &[u64],
     texts: &mut [Text<'p>],
 ) -> Result<Text<'p>, Halt> {
-    let missing = Halt::Missing("operand of a standard function");
     if let Some(text) = of_ranges(function, numbers, texts) {
         return Ok(Cow::Owned(text));
     }
-    let chosen = match function {
-        StandardFunction::Concat => return Ok(Cow::Owned(texts.concat())),
-        StandardFunction::Sel | StandardFunction::Mux => {
-            let selector = numbers.first().copied().ok_or(missing)?;
-            let index = if function == StandardFunction::Sel {
-                selector.min(1)
-            } else {
-                selector
-            };
-            usize::try_from(index)
-                .ok()
-                .and_then(|index| texts.get_mut(index))
-                .ok_or(FaultKind::SubscriptRange)?
-        }
-        // The first of equal texts, as for plain values.
-        StandardFunction::Min => texts
-            .iter_mut()
-            .reduce(|a, b| if *b < *a { b } else { a })
-            .ok_or(missing)?,
-        StandardFunction::Max => texts
-            .iter_mut()
-            .reduce(|a, b| if *b > *a { b } else { a })
-            .ok_or(missing)?,
-        StandardFunction::Limit => {
-            let [minimum, value, maximum] = texts else {
-                return Err(missing);
-            };
-            let raised = if *minimum > *value { minimum } else { value };
-            if *maximum < *raised { maximum } else { raised }
-        }
-        _ => return Err(missing),
-    };
-    Ok(std::mem::take(chosen))
+    if function == StandardFunction::Concat {
+        return Ok(Cow::Owned(texts.concat()));
+    }
+    let lies_further = |further, second: &Text<'p>, first: &Text<'p>| second.cmp(first) == further;
+    let chosen = chosen(function, numbers, texts, lies_further)?;
+    texts.get_mut(chosen).map(std::mem::take).ok_or(MISSING)
 }

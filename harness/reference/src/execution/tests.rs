@@ -61,6 +61,7 @@ fn instruction(text: &str) -> Instruction {
         function,
         of: ty(1),
         count: small(2) as u16,
+        numbers: words.get(3).map_or(0, |_| small(3) as u16),
     };
     let part = || Part {
         first: small(1) as u8,
@@ -77,6 +78,7 @@ fn instruction(text: &str) -> Instruction {
         "instance-address" => InstanceAddress(small(1)),
         "dereference" => Dereference,
         "offset" => Offset(small(1)),
+        "subscript-within" => Instruction::SubscriptWithin { unsigned },
         "subscript" => Subscript {
             low: number(1),
             high: number(2),
@@ -258,6 +260,7 @@ fn any_instruction(bits: u64) -> Instruction {
             function,
             of: ty,
             count: small as u16,
+            numbers: (bits % 3) as u16,
         },
         24 => Jump(small),
         25 => JumpIfFalse(small),

@@ -1,7 +1,6 @@
 //! The type of a constant expression in a dialect in which its number decides of it.
 
 use super::inferred::Inferred;
-use super::lost_values::holds;
 use super::lowering::{LoweredValue, Lowering};
 use super::promotion::integer_of;
 use super::types::TypeId;
@@ -25,7 +24,7 @@ impl Lowering<'_> {
         }
         let bare = &self.expression(self.model.source.bare(id)).kind;
         let (number, to) = value.constant.zip(to.elementary())?;
-        if !matches!(bare, ExpressionKind::Binary { .. }) || !(to.is_integer() || to.is_bit_string()) {
+        if !matches!(bare, ExpressionKind::Binary { .. }) || !to.is_whole() {
             return None;
         }
         match inferred {
@@ -33,7 +32,7 @@ impl Lowering<'_> {
                 least(number, true).filter(|ty| ty.bits() > to.bits())
             }
             _ => {
-                let ty = inferred.elementary().filter(|&ty| !holds(ty, number))?;
+                let ty = inferred.elementary().filter(|&ty| !ty.holds(number))?;
                 least(number, ty.is_signed())
             }
         }
@@ -72,5 +71,5 @@ fn least(number: i128, is_signed: bool) -> Option<ElementaryType> {
     [8, 16, 32, 64]
         .map(|bits| integer_of(bits, is_signed))
         .into_iter()
-        .find(|&ty| holds(ty, number))
+        .find(|&ty| ty.holds(number))
 }

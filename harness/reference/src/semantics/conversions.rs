@@ -182,7 +182,7 @@ pub(super) fn parameter_type(conversion: &ConversionFunction, argument: Inferred
         Inferred::Known(ty) => ty.elementary().filter(|ty| allowed.contains(ty)),
         Inferred::Integer(magnitude) => [default, magnitude.ty()]
             .into_iter()
-            .find(|ty| allowed.contains(ty) && (ty.is_integer() || ty.is_bit_string() || ty.is_real())),
+            .find(|ty| allowed.contains(ty) && (ty.is_whole() || ty.is_real())),
         Inferred::Real => [default, ElementaryType::Lreal]
             .into_iter()
             .find(|ty| allowed.contains(ty) && ty.is_real()),

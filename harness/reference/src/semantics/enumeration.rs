@@ -66,10 +66,7 @@ impl<'u> Declarer<'u, '_> {
         if ty == TypeId::ERROR {
             return WIDEST;
         }
-        let range = self
-            .model
-            .elementary(ty)
-            .filter(|ty| ty.is_integer() || ty.is_bit_string());
+        let range = self.model.elementary(ty).filter(|ty| ty.is_whole());
         match range.and_then(ElementaryType::integer_range) {
             Some((low, high)) => (low, high.min(WIDEST.1)),
             None => {

@@ -9,7 +9,7 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
-use super::promotion::{is_whole, prefixed, promoted};
+use super::promotion::{prefixed, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule, of_operand};
@@ -133,7 +133,7 @@ impl<'m> Lowering<'m> {
         value: LoweredValue,
         ty: ElementaryType,
     ) -> (LoweredValue, ElementaryType) {
-        if self.model.source.dialect.operands != OperandTypes::Promoted || !is_whole(ty) {
+        if self.model.source.dialect.operands != OperandTypes::Promoted || !ty.is_whole() {
             return (value, ty);
         }
         let computed = match operator {
@@ -193,6 +193,14 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Call { callee, arguments } => self.call(id, *callee, arguments, wanted),
             ExpressionKind::Unary { operator, operand } => self.unary(id, *operator, *operand, wanted),
             ExpressionKind::Binary { .. } => self.chain(id, wanted),
+            ExpressionKind::Assigned { target, value } => {
+                self.assignment(*target, *value);
+                // What is wrong with the target has been said.
+                let muted = self.reporter.mute(true);
+                let value = self.read(*target);
+                self.reporter.mute(muted);
+                value
+            }
             ExpressionKind::Parenthesized(inner) => self.value(*inner, wanted),
             ExpressionKind::Error => LoweredValue::ERROR,
         }
@@ -428,7 +436,7 @@ fn symbol(operator: UnaryOperator) -> &'static str {
 
 /// Returns the conversion of a value that was computed with promoted operands to the narrower type that it has for the checker.
 fn narrowed(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Conversion> {
-    let is_promoted = dialect.operands == OperandTypes::Promoted && is_whole(from) && is_whole(to);
+    let is_promoted = dialect.operands == OperandTypes::Promoted && from.is_whole() && to.is_whole();
     let rule = ConversionRule::between(from, to, &dialect.conversions).filter(|_| is_promoted)?;
     Some(Conversion { from, to, rule })
 }

@@ -22,12 +22,7 @@ impl<'m> Lowering<'m> {
             if known != Inferred::Pending {
                 break;
             }
-            let ExpressionKind::Binary {
-                operator,
-                left,
-                right,
-            } = self.expression(at).kind
-            else {
+            let Some((operator, left, right)) = self.expression(at).binary() else {
                 let inferred = self.infer_leaf(at);
                 self.inferred[at.0 as usize] = inferred;
                 break;
@@ -62,7 +57,9 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Part { base, part, .. } => self.infer_part(*base, *part),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
             ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
-            ExpressionKind::Parenthesized(inner) => self.infer(*inner),
+            ExpressionKind::Parenthesized(inner) | ExpressionKind::Assigned { target: inner, .. } => {
+                self.infer(*inner)
+            }
             ExpressionKind::Binary { .. } | ExpressionKind::Error => Inferred::Error,
         }
     }
@@ -125,7 +122,7 @@ impl<'m> Lowering<'m> {
 
     fn infer_part(&mut self, base: ExpressionId, part: ElementaryType) -> Inferred {
         match self.infer(base).elementary() {
-            Some(ty) if ty.is_integer() || ty.is_bit_string() => Inferred::from(part),
+            Some(ty) if ty.is_whole() => Inferred::from(part),
             _ => Inferred::Error,
         }
     }
@@ -170,6 +167,6 @@ pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: 
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate if ty.is_duration() => dialect.negates_durations,
-        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
+        UnaryOperator::Negate | UnaryOperator::Plus => ty.is_number() || ty.is_duration(),
     }
 }

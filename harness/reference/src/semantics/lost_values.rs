@@ -5,7 +5,7 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::literals::{real, untyped_integer};
 use super::lowering::{LoweredValue, Lowering};
-use super::promotion::{integer_of, is_whole, prefixed};
+use super::promotion::{integer_of, prefixed};
 use super::types::TypeId;
 use crate::conversion::{implicit_warning, literal_warning};
 use stickler_syntax::tree::{
@@ -90,12 +90,12 @@ impl Lowering<'_> {
 
     /// Returns what an operand is beside another one: a literal that the other's type does not hold is of the unsigned type of that width.
     fn literal_beside(&self, id: ExpressionId, inferred: Inferred, other: Inferred) -> Inferred {
-        let ty = other.elementary().filter(|&ty| is_whole(ty));
+        let ty = other.elementary().filter(|&ty| ty.is_whole());
         let Some((ty, number)) = ty.zip(self.literal_number(id)) else {
             return inferred;
         };
         let unsigned = integer_of(ty.bits(), false);
-        if !holds(ty, number) && holds(unsigned, number) {
+        if !ty.holds(number) && unsigned.holds(number) {
             Inferred::from(unsigned)
         } else {
             inferred
@@ -126,10 +126,4 @@ impl Lowering<'_> {
             _ => None,
         }
     }
-}
-
-/// Returns whether an integer or bit string has a value of this number.
-pub(super) fn holds(ty: ElementaryType, number: i128) -> bool {
-    ty.integer_range()
-        .is_some_and(|(low, high)| (low..=high).contains(&number))
 }

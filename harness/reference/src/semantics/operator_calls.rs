@@ -66,7 +66,7 @@ impl Lowering<'_> {
                 let value = self.value(id, Some(first.left));
                 is_sound &= self.operand(id, value, first.left).ty != TypeId::ERROR;
             }
-            self.emit_standard(call, StandardFunction::InOrder(comparison), of, values.len());
+            self.emit_standard(call, StandardFunction::InOrder(comparison), of, (values.len(), 0));
             return if is_sound {
                 LoweredValue::of(ElementaryType::Bool)
             } else {

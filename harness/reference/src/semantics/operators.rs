@@ -131,17 +131,25 @@ impl TypeRules<'_> {
         }
     }
 
-    /// Returns the types as which a value of an interface is compared with another one, or with the number 0, which is none.
+    /// Returns the types as which a value of an interface is compared with another one, with NULL, or with the number 0, which is none.
     ///
-    /// Basis: codesys-pages: _cds_implementing_interface.
+    /// Basis: iec-61131-3: third edition, 6.6.6; codesys-pages: _cds_implementing_interface.
     fn addresses(self, left: Inferred, right: Inferred) -> Option<(TypeId, TypeId)> {
-        let side = |value| match value {
-            Inferred::Known(ty) if matches!(self.types.kind(ty), TypeKind::Interface(_)) => Some((ty, true)),
-            Inferred::Integer(_) => Some((TypeId::of(ElementaryType::Ulint), false)),
+        let interface = |value| match value {
+            Inferred::Known(ty) => self.types.is_interface(ty).then_some(ty),
             _ => None,
         };
-        let ((left, one), (right, other)) = (side(left)?, side(right)?);
-        (one || other).then_some((left, right))
+        let beside = |value, other| match value {
+            Inferred::Known(TypeId::ADDRESS) => Some(other),
+            Inferred::Integer(_) => Some(TypeId::of(ElementaryType::Ulint)),
+            _ => None,
+        };
+        match (interface(left), interface(right)) {
+            (Some(one), Some(other)) => Some((one, other)),
+            (Some(one), None) => Some((one, beside(right, one)?)),
+            (None, Some(other)) => Some((beside(left, other)?, other)),
+            (None, None) => None,
+        }
     }
 
     fn comparison(
@@ -333,7 +341,7 @@ impl TypeRules<'_> {
                 .elementary()
                 .filter(|ty| ty.is_real())
                 .unwrap_or(ElementaryType::Lreal),
-            _ => right.elementary().filter(|&ty| is_number(ty))?,
+            _ => right.elementary().filter(|&ty| ty.is_number())?,
         };
         let base = match left {
             Inferred::Integer(_) if exponent.is_real() && !self.dialect.integer_literal_as_real => {
@@ -343,7 +351,7 @@ impl TypeRules<'_> {
             Inferred::Real if exponent.is_real() => exponent,
             Inferred::Real => ElementaryType::Lreal,
             _ => {
-                let base = left.elementary().filter(|&ty| is_number(ty))?;
+                let base = left.elementary().filter(|&ty| ty.is_number())?;
                 let mut reals = [exponent, ElementaryType::Lreal].into_iter();
                 let real = reals.find(|&real| {
                     exponent.is_real() && base.is_integer() && implicit(base, real, self.dialect).is_some()
@@ -361,8 +369,9 @@ impl TypeRules<'_> {
     /// The power of two REAL is one, and that of any other numbers an LREAL.
     fn long_power(self, left: Inferred, right: Inferred) -> Option<TypedOperation> {
         let is_real = |value: Inferred| value.elementary() == Some(ElementaryType::Real);
-        let is_taken =
-            |value: Inferred| value.is_untyped_number() || value.elementary().is_some_and(is_number);
+        let is_taken = |value: Inferred| {
+            value.is_untyped_number() || value.elementary().is_some_and(ElementaryType::is_number)
+        };
         let is_short = is_real(left) && (is_real(right) || right == Inferred::Real)
             || is_real(right) && left == Inferred::Real;
         let ty = [ElementaryType::Lreal, ElementaryType::Real][usize::from(is_short)];
@@ -422,20 +431,16 @@ fn duration_of(moment: ElementaryType) -> ElementaryType {
     }
 }
 
-fn is_number(ty: ElementaryType) -> bool {
-    ty.is_integer() || ty.is_real()
-}
-
 /// Returns whether two operands are both bit strings, both integers with a sign, both integers without, or numbers of which one is a real. An untyped
 /// literal is of each kind, and so is what is neither number nor bit string.
 fn are_of_one_kind(left: Inferred, right: Inferred) -> bool {
-    let is_of_a_kind = |ty: &ElementaryType| is_number(*ty) || ty.is_bit_string();
+    let is_of_a_kind = |ty: &ElementaryType| ty.is_number() || ty.is_bit_string();
     let kind = |value: Inferred| value.elementary().filter(is_of_a_kind);
     let (Some(left), Some(right)) = (kind(left), kind(right)) else {
         return true;
     };
     left.family() == right.family()
-        || (is_number(left) && is_number(right) && (left.is_real() || right.is_real()))
+        || (left.is_number() && right.is_number() && (left.is_real() || right.is_real()))
 }
 
 enum OperatorGroup {

@@ -84,9 +84,6 @@ pub(super) fn fits_pointer(from: TypeId, to: TypeId, types: &TypeTable, dialect:
             let converts = |to| implicit(ElementaryType::Lword, to, dialect).is_some();
             is_free && to.elementary().is_some_and(converts)
         }
-        (None, _) => {
-            let counts = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
-            is_free && from.elementary().is_some_and(counts)
-        }
+        (None, _) => is_free && from.elementary().is_some_and(ElementaryType::is_whole),
     }
 }

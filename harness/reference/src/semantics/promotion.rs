@@ -47,7 +47,7 @@ impl TypeRules<'_> {
         for operand in operands {
             match (operand, operand.elementary()) {
                 (Inferred::Integer(magnitude), _) => literal = magnitude.ty().bits().max(literal),
-                (_, Some(ty)) if is_whole(ty) => {
+                (_, Some(ty)) if ty.is_whole() => {
                     bits = ty.bits().max(bits);
                     is_signed |= ty.is_signed();
                     if !ty.is_signed() {
@@ -125,15 +125,10 @@ pub(super) const fn promoted(ty: ElementaryType) -> ElementaryType {
 
 /// Returns the type that the value of a prefix operator has for the checker.
 pub(super) fn prefixed(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> ElementaryType {
-    let is_changed = dialect.result_signs == ResultSigns::OfOperator && is_whole(ty);
+    let is_changed = dialect.result_signs == ResultSigns::OfOperator && ty.is_whole();
     match operator {
         UnaryOperator::Negate if is_changed => integer_of(ty.bits().max(16), true),
         UnaryOperator::Not if is_changed && ty.is_integer() => integer_of(ty.bits(), false),
         _ => ty,
     }
-}
-
-/// Returns whether the values of a type are whole numbers, or bits that count as such.
-pub(super) const fn is_whole(ty: ElementaryType) -> bool {
-    ty.is_integer() || ty.is_bit_string()
 }

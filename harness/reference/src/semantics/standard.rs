@@ -152,7 +152,7 @@ impl<'m> Lowering<'m> {
                 for &value in &values {
                     self.integer_argument(value);
                 }
-                self.emit_standard(call, StandardFunction::Compose, moment, values.len());
+                self.emit_standard(call, StandardFunction::Compose, moment, (values.len(), 0));
                 LoweredValue::of(moment)
             }
             StandardOperation::Move => self.value(values[0], wanted),
@@ -200,8 +200,8 @@ impl<'m> Lowering<'m> {
         let mut ty = None;
         for (position, &value) in values.iter().enumerate() {
             match signature.input(position) {
-                StandardInput::Exactly(input) => {
-                    self.coerce(value, TypeId::of(input), ValueContext::Argument);
+                StandardInput::Gate => {
+                    self.coerce(value, TypeId::of(ElementaryType::Bool), ValueContext::Argument);
                 }
                 StandardInput::Integer => {
                     self.integer_argument(value);
@@ -235,47 +235,54 @@ impl<'m> Lowering<'m> {
             }
             _ => function,
         };
-        self.emit_standard(call, computed, of, common.len());
+        self.emit_standard(call, computed, of, (common.len(), values.len() - common.len()));
         function
             .own_result()
             .map_or(LoweredValue::computed(ty), LoweredValue::of)
     }
 
-    /// Adds the instruction of a standard function over `count` values of a type.
+    /// Adds the instruction of a standard function over `count` values of a type and `numbers` integers.
     pub(super) fn emit_standard(
         &mut self,
         call: ExpressionId,
         function: StandardFunction,
         of: ElementaryType,
-        count: usize,
+        (count, numbers): (usize, usize),
     ) {
-        let count = u16::try_from(count).unwrap_or(u16::MAX);
-        self.emit_at(self.span(call), Instruction::Standard { function, of, count });
+        let [count, numbers] = [count, numbers].map(|count| u16::try_from(count).unwrap_or(u16::MAX));
+        let instruction = Instruction::Standard {
+            function,
+            of,
+            count,
+            numbers,
+        };
+        self.emit_at(self.span(call), instruction);
     }
 
     /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.
     fn bound_selector(&mut self, inputs: usize) {
         if self.model.source.dialect.mux_outside_takes_last {
-            self.emit(Instruction::Push(inputs as u64 - 1));
             // A negative selector counts as larger than all.
-            self.emit(Instruction::Standard {
-                function: StandardFunction::Min,
-                of: ElementaryType::Ulint,
-                count: 2,
-            });
+            self.bound(inputs as u64 - 1);
         }
     }
 
     /// Replaces a length or a position in a text, which is on the stack, by the greatest LINT where it is a greater ULINT.
     fn bound_count(&mut self, id: ExpressionId) {
         if self.infer(id).elementary() == Some(ElementaryType::Ulint) {
-            self.emit(Instruction::Push(i64::MAX.cast_unsigned()));
-            self.emit(Instruction::Standard {
-                function: StandardFunction::Min,
-                of: ElementaryType::Ulint,
-                count: 2,
-            });
+            self.bound(i64::MAX.cast_unsigned());
         }
+    }
+
+    /// Replaces a ULINT, which is on the stack, by the greatest one that is allowed where it is greater.
+    fn bound(&mut self, greatest: u64) {
+        self.emit(Instruction::Push(greatest));
+        self.emit(Instruction::Standard {
+            function: StandardFunction::Min,
+            of: ElementaryType::Ulint,
+            count: 2,
+            numbers: 0,
+        });
     }
 
     /// Keeps of the count of a shift, which is on the stack, the bits that a dialect looks at.

@@ -15,8 +15,6 @@ pub(super) struct StandardSignature {
     pub(super) name: &'static str,
     pub(super) operation: StandardOperation,
     pub(super) parameters: ParameterList,
-    /// What the first inputs take; all others take values of the common type.
-    pub(super) inputs: &'static [StandardInput],
 }
 
 /// The computation of a standard function.
@@ -44,9 +42,9 @@ pub(super) enum StandardOperation {
 pub(super) enum StandardInput {
     /// A value of the type that all such inputs have in common.
     Common,
-    /// A value of this type.
-    Exactly(ElementaryType),
-    /// An integer of any type.
+    /// A BOOL.
+    Gate,
+    /// An integer of any type: a selector, a number of places, a length or a position.
     Integer,
 }
 
@@ -62,24 +60,14 @@ const CHOSEN: ParameterList = ParameterList {
     more: Some(("IN", 0)),
     least: 2,
 };
-const VALUE_AND_COUNT: (ParameterList, &[StandardInput]) = (
-    ParameterList::exactly(&["IN", "N"]),
-    &[StandardInput::Common, StandardInput::Integer],
-);
-
-const TEXT_AND_LENGTH: (ParameterList, &[StandardInput]) = (
-    ParameterList::exactly(&["IN", "L"]),
-    &[StandardInput::Common, StandardInput::Integer],
-);
-const TEXT_AND_RANGE: (ParameterList, &[StandardInput]) = (
-    ParameterList::exactly(&["IN", "L", "P"]),
-    &[
-        StandardInput::Common,
-        StandardInput::Integer,
-        StandardInput::Integer,
-    ],
-);
-
+const GATED: ParameterList = ParameterList::exactly(&["G", "IN0", "IN1"]);
+const LIMITED: ParameterList = ParameterList::exactly(&["MN", "IN", "MX"]);
+const POINT: ParameterList = ParameterList::exactly(&["Y", "X"]);
+const COUNTED: ParameterList = ParameterList::exactly(&["IN", "N"]);
+const LENGTH: ParameterList = ParameterList::exactly(&["IN", "L"]);
+const RANGE: ParameterList = ParameterList::exactly(&["IN", "L", "P"]);
+const TWO_AND_POSITION: ParameterList = ParameterList::exactly(&["IN1", "IN2", "P"]);
+const TWO_AND_RANGE: ParameterList = ParameterList::exactly(&["IN1", "IN2", "L", "P"]);
 const DATE_FIELDS: ParameterList = ParameterList::exactly(&["YEAR", "MONTH", "DAY"]);
 const TIME_FIELDS: ParameterList = ParameterList::exactly(&["HOUR", "MINUTE", "SECOND", "MILLISECOND"]);
 const DATE_AND_TIME_FIELDS: ParameterList =
@@ -91,23 +79,8 @@ pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 66] = {
     use ElementaryType::{Date, Dt, Ldate, Ldt, Ltime, Ltod, Time, Tod};
     use GenericType::{Any, Bit, Elementary, Num, Real, String};
     use StandardFunction as Function;
-    const fn part(part: TextPart) -> Function {
-        Function::Part(part, TextPositions::Clipped)
-    }
-    const GATE: &[StandardInput] = &[StandardInput::Exactly(ElementaryType::Bool)];
-    const TWO_AND_POSITION: &[StandardInput] = &[
-        StandardInput::Common,
-        StandardInput::Common,
-        StandardInput::Integer,
-    ];
-    const TWO_AND_RANGE: &[StandardInput] = &[
-        StandardInput::Common,
-        StandardInput::Common,
-        StandardInput::Integer,
-        StandardInput::Integer,
-    ];
     [
-        function("ABS", Function::Abs, Num, (ONE, &[])),
+        function("ABS", Function::Abs, Num, ONE),
         real("SQRT", RealFunction::SquareRoot, ONE),
         real("LN", RealFunction::NaturalLogarithm, ONE),
         real("LOG", RealFunction::Logarithm, ONE),
@@ -118,66 +91,42 @@ pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 66] = {
         real("ASIN", RealFunction::ArcSine, ONE),
         real("ACOS", RealFunction::ArcCosine, ONE),
         real("ATAN", RealFunction::ArcTangent, ONE),
-        real(
-            "ATAN2",
-            RealFunction::ArcTangent2,
-            ParameterList::exactly(&["Y", "X"]),
-        ),
+        real("ATAN2", RealFunction::ArcTangent2, POINT),
         operator(Operator::Add, SEVERAL),
         operator(Operator::Multiply, SEVERAL),
         operator(Operator::Subtract, TWO),
         operator(Operator::Divide, TWO),
         operator(Operator::Modulo, TWO),
         operator(Operator::Power, TWO),
-        row("MOVE", StandardOperation::Move, (ONE, &[])),
-        function("SHL", Function::Shl, Bit, VALUE_AND_COUNT),
-        function("SHR", Function::Shr, Bit, VALUE_AND_COUNT),
-        function("ROL", Function::Rol, Bit, VALUE_AND_COUNT),
-        function("ROR", Function::Ror, Bit, VALUE_AND_COUNT),
+        row("MOVE", StandardOperation::Move, ONE),
+        function("SHL", Function::Shl, Bit, COUNTED),
+        function("SHR", Function::Shr, Bit, COUNTED),
+        function("ROL", Function::Rol, Bit, COUNTED),
+        function("ROR", Function::Ror, Bit, COUNTED),
         operator(Operator::And, SEVERAL),
         operator(Operator::Or, SEVERAL),
         operator(Operator::Xor, SEVERAL),
-        row("NOT", StandardOperation::Prefix(UnaryOperator::Not), (ONE, &[])),
-        function(
-            "SEL",
-            Function::Sel,
-            Any,
-            (ParameterList::exactly(&["G", "IN0", "IN1"]), GATE),
-        ),
-        function("MUX", Function::Mux, Any, (CHOSEN, &[StandardInput::Integer])),
-        function("MIN", Function::Min, Elementary, (SEVERAL, &[])),
-        function("MAX", Function::Max, Elementary, (SEVERAL, &[])),
-        function(
-            "LIMIT",
-            Function::Limit,
-            Elementary,
-            (ParameterList::exactly(&["MN", "IN", "MX"]), &[]),
-        ),
+        row("NOT", StandardOperation::Prefix(UnaryOperator::Not), ONE),
+        function("SEL", Function::Sel, Any, GATED),
+        function("MUX", Function::Mux, Any, CHOSEN),
+        function("MIN", Function::Min, Elementary, SEVERAL),
+        function("MAX", Function::Max, Elementary, SEVERAL),
+        function("LIMIT", Function::Limit, Elementary, LIMITED),
         operator(Operator::Greater, SEVERAL),
         operator(Operator::GreaterOrEqual, SEVERAL),
         operator(Operator::Equal, SEVERAL),
         operator(Operator::LessOrEqual, SEVERAL),
         operator(Operator::Less, SEVERAL),
         operator(Operator::NotEqual, TWO),
-        function("LEN", Function::Len, String, (ONE, &[])),
-        function("CONCAT", Function::Concat, String, (SEVERAL, &[])),
-        function("LEFT", part(TextPart::Left), String, TEXT_AND_LENGTH),
-        function("RIGHT", part(TextPart::Right), String, TEXT_AND_LENGTH),
-        function("MID", part(TextPart::Mid), String, TEXT_AND_RANGE),
-        function(
-            "INSERT",
-            part(TextPart::Insert),
-            String,
-            (ParameterList::exactly(&["IN1", "IN2", "P"]), TWO_AND_POSITION),
-        ),
-        function("DELETE", part(TextPart::Delete), String, TEXT_AND_RANGE),
-        function(
-            "REPLACE",
-            part(TextPart::Replace),
-            String,
-            (ParameterList::exactly(&["IN1", "IN2", "L", "P"]), TWO_AND_RANGE),
-        ),
-        function("FIND", Function::Find, String, (TWO, &[])),
+        function("LEN", Function::Len, String, ONE),
+        function("CONCAT", Function::Concat, String, SEVERAL),
+        text("LEFT", TextPart::Left, LENGTH),
+        text("RIGHT", TextPart::Right, LENGTH),
+        text("MID", TextPart::Mid, RANGE),
+        text("INSERT", TextPart::Insert, TWO_AND_POSITION),
+        text("DELETE", TextPart::Delete, RANGE),
+        text("REPLACE", TextPart::Replace, TWO_AND_RANGE),
+        function("FIND", Function::Find, String, TWO),
         scaled("MULTIME", Operator::Multiply, Time),
         scaled("MUL_TIME", Operator::Multiply, Time),
         scaled("MUL_LTIME", Operator::Multiply, Ltime),
@@ -190,26 +139,25 @@ pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 66] = {
         composed("CONCAT_LTOD", Ltod, TIME_FIELDS),
         composed("CONCAT_DT", Dt, DATE_AND_TIME_FIELDS),
         composed("CONCAT_LDT", Ldt, DATE_AND_TIME_FIELDS),
-        function("TO_BIG_ENDIAN", Function::SwapBytes, Bit, (ONE, &[])),
-        function("FROM_BIG_ENDIAN", Function::SwapBytes, Bit, (ONE, &[])),
-        row("TO_LITTLE_ENDIAN", StandardOperation::Move, (ONE, &[])),
-        row("FROM_LITTLE_ENDIAN", StandardOperation::Move, (ONE, &[])),
-        function("IS_VALID", Function::IsValid, Real, (ONE, &[])),
-        function("IS_VALID_BCD", Function::IsValidBcd, Bit, (ONE, &[])),
-        row("STICKLER_NANOSECONDS", StandardOperation::Nanoseconds, (ONE, &[])),
+        function("TO_BIG_ENDIAN", Function::SwapBytes, Bit, ONE),
+        function("FROM_BIG_ENDIAN", Function::SwapBytes, Bit, ONE),
+        row("TO_LITTLE_ENDIAN", StandardOperation::Move, ONE),
+        row("FROM_LITTLE_ENDIAN", StandardOperation::Move, ONE),
+        function("IS_VALID", Function::IsValid, Real, ONE),
+        function("IS_VALID_BCD", Function::IsValidBcd, Bit, ONE),
+        row("STICKLER_NANOSECONDS", StandardOperation::Nanoseconds, ONE),
     ]
 };
 
 const fn row(
     name: &'static str,
     operation: StandardOperation,
-    (parameters, inputs): (ParameterList, &'static [StandardInput]),
+    parameters: ParameterList,
 ) -> StandardSignature {
     StandardSignature {
         name,
         operation,
         parameters,
-        inputs,
     }
 }
 
@@ -217,34 +165,31 @@ const fn function(
     name: &'static str,
     function: StandardFunction,
     of: GenericType,
-    parameters: (ParameterList, &'static [StandardInput]),
+    parameters: ParameterList,
 ) -> StandardSignature {
     row(name, StandardOperation::Function(function, of), parameters)
 }
 
 const fn real(name: &'static str, of: RealFunction, parameters: ParameterList) -> StandardSignature {
-    function(
-        name,
-        StandardFunction::Real(of),
-        GenericType::Real,
-        (parameters, &[]),
-    )
+    function(name, StandardFunction::Real(of), GenericType::Real, parameters)
+}
+
+const fn text(name: &'static str, part: TextPart, parameters: ParameterList) -> StandardSignature {
+    let part = StandardFunction::Part(part, TextPositions::Clipped);
+    function(name, part, GenericType::String, parameters)
 }
 
 const fn scaled(name: &'static str, operator: BinaryOperator, duration: ElementaryType) -> StandardSignature {
-    row(name, StandardOperation::Scaled(operator, duration), (TWO, &[]))
+    row(name, StandardOperation::Scaled(operator, duration), TWO)
 }
 
 const fn composed(name: &'static str, of: ElementaryType, parameters: ParameterList) -> StandardSignature {
-    row(name, StandardOperation::Compose(of), (parameters, &[]))
+    row(name, StandardOperation::Compose(of), parameters)
 }
 
 const fn operator(operator: BinaryOperator, parameters: ParameterList) -> StandardSignature {
-    row(
-        operator.function_name(),
-        StandardOperation::Operator(operator),
-        (parameters, &[]),
-    )
+    let operation = StandardOperation::Operator(operator);
+    row(operator.function_name(), operation, parameters)
 }
 
 /// Finds the standard function of a name.
@@ -259,12 +204,13 @@ pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature
 }
 
 impl StandardSignature {
-    /// Returns what the input at a position takes.
+    /// Returns what the input at a position takes, of which its name tells.
     pub(super) fn input(&self, position: usize) -> StandardInput {
-        self.inputs
-            .get(position)
-            .copied()
-            .unwrap_or(StandardInput::Common)
+        match self.parameters.fixed.get(position) {
+            Some(&"G") => StandardInput::Gate,
+            Some(&("K" | "N" | "L" | "P")) => StandardInput::Integer,
+            _ => StandardInput::Common,
+        }
     }
 
     /// Returns the arguments whose types meet, of all in their order.

@@ -56,8 +56,18 @@ pub fn date_and_time(text: &str) -> Result<i64, LiteralError> {
     instant(day, time)
 }
 
-/// Returns the nanoseconds from the epoch to a time on a day that is counted from the epoch.
-fn instant(day: i64, time: i64) -> Result<i64, LiteralError> {
+/// Returns the days from 1970-01-01 to a date; `None` where the calendar has no such day, or the year is not from 0 to 99 999.
+pub fn days(year: i64, month: i64, day: i64) -> Option<i64> {
+    let is_month = (0..=99_999).contains(&year) && (1..=12).contains(&month);
+    let is_day = is_month && (1..=days_in_month(year, month)).contains(&day);
+    is_day.then(|| days_from_civil(year, month, day))
+}
+
+/// Returns the nanoseconds from 1970-01-01 to a time on a day that is counted from there.
+///
+/// # Errors
+/// `Overflow` where 64 bits do not hold them.
+pub fn instant(day: i64, time: i64) -> Result<i64, LiteralError> {
     i64::try_from(i128::from(day) * i128::from(DAY) + i128::from(time))
         .map_err(|_| LiteralError::overflow(0, "a date"))
 }

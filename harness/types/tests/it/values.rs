@@ -1,55 +1,33 @@
 //! Tests of values as typed literals: parsing, writing and equality.
 
+use stickler_types::boundaries::{BoundaryDetail, neighbourhoods};
 use stickler_types::{ElementaryType as E, Family, Value, literal};
 
 fn parsed(literal: &str) -> Value {
     Value::parse(literal).unwrap_or_else(|error| panic!("{literal}: {error}"))
 }
 
-/// Returns raw forms at and around the limits of a type: powers of two with their neighbours, as bits of either sign, and the
-/// special numbers of the real formats; of characters all.
+/// Returns the boundaries of a type and their neighbours; of real numbers also those about which the canonical spelling changes, of durations,
+/// dates and times also powers of two, and of characters all.
 fn boundaries(ty: E) -> Vec<u64> {
     const DAY: i64 = 86_400_000_000_000;
-    if ty.is_character() {
-        return (0..1 << ty.bits()).collect();
-    }
     let powers = (0..64).flat_map(|bit| [-1, 0, 1].map(|by| (1_i64 << bit).wrapping_add(by)));
-    let singles = [
-        0.1,
-        16_777_216.0,
-        f32::MIN_POSITIVE,
-        f32::MAX,
-        f32::INFINITY,
-        f32::NAN,
-        1e16,
-        9.999e15,
-        1e-4,
-        9.999e-5,
-    ];
-    let doubles = [
-        0.1,
-        f64::MIN_POSITIVE,
-        f64::MAX,
-        f64::INFINITY,
-        f64::NAN,
-        1e16,
-        9.999e15,
-        1e-4,
-        9.999e-5,
-    ];
-    let special = singles.map(|value| i64::from(value.to_bits()));
-    let special = special
-        .into_iter()
-        .chain(doubles.map(|value| value.to_bits().cast_signed()));
-    let signed = powers
-        .chain(special)
-        .flat_map(|bits| [bits, bits.wrapping_neg(), bits ^ (1 << (ty.bits().max(1) - 1))]);
+    let others: Vec<i64> = match ty.family() {
+        Family::Character => (0..1 << ty.bits()).collect(),
+        Family::Real => [0.1, 1e16, 9.999e15, 1e-4, 9.999e-5]
+            .into_iter()
+            .flat_map(|number| [number, -number])
+            .map(|number| ty.real_bits(number).cast_signed())
+            .collect(),
+        _ => powers.flat_map(|bits| [bits, bits.wrapping_neg()]).collect(),
+    };
     let fitting = |bits: i64| match ty.family() {
         Family::Date => (bits / DAY * DAY).cast_unsigned(),
         Family::TimeOfDay => bits.rem_euclid(DAY).cast_unsigned(),
         _ => ty.wrap(bits.into()),
     };
-    signed.map(fitting).collect()
+    let near = neighbourhoods(ty, BoundaryDetail::Fine);
+    near.into_iter().chain(others.into_iter().map(fitting)).collect()
 }
 
 #[test]

@@ -34,16 +34,12 @@ fn shortest_of(raw: u64, ty: ElementaryType) -> RoundedDecimal {
 }
 
 /// Returns `number * 10^exponent` as numerator and denominator.
-fn decimal_fraction(number: u64, exponent: i32) -> (BigUint, BigUint) {
-    let power = BigUint::from(10_u32).pow(exponent.unsigned_abs());
-    if exponent < 0 {
-        (number.into(), power)
-    } else {
-        (power * number, BigUint::from(1_u32))
-    }
+fn decimal_fraction(number: impl Into<BigUint>, exponent: i32) -> (BigUint, BigUint) {
+    let power = |exponent: i32| BigUint::from(10_u32).pow(u32::try_from(exponent).unwrap_or(0));
+    (number.into() * power(exponent), power(-exponent))
 }
 
-fn read_back(number: u64, exponent: i32, ty: ElementaryType) -> u64 {
+fn read_back(number: impl Into<BigUint>, exponent: i32, ty: ElementaryType) -> u64 {
     let (numerator, denominator) = decimal_fraction(number, exponent);
     quotient::nearest(false, &numerator, &denominator, ty)
 }
@@ -147,7 +143,7 @@ fn the_number_of_significant_digits_is_kept() {
                 let (number, places) = joined(&decimal);
                 // Half a unit of the last place that was asked for, and no more.
                 let unit = decimal.exponent + 1 - i32::from(count);
-                let (numerator, denominator) = decimal_fraction(1, unit);
+                let (numerator, denominator) = decimal_fraction(1_u32, unit);
                 let exact = DecimalFraction::binary(significand, exponent);
                 // Both differences have the product of the denominators in common.
                 let difference = distance(number, places, raw, ty) * &denominator * 2_u32;
@@ -158,15 +154,8 @@ fn the_number_of_significant_digits_is_kept() {
             // 255 digits are more than enough to read back.
             let decimal = significant(significand, exponent, 255);
             let digits = spelled(&decimal);
-            let (number, one) = (digits.parse::<BigUint>().unwrap(), BigUint::from(1_u32));
             let scale = decimal.exponent + 1 - digits.len() as i32;
-            let power = BigUint::from(10_u32).pow(scale.unsigned_abs());
-            let given = if scale < 0 {
-                quotient::nearest(false, &number, &power, ty)
-            } else {
-                quotient::nearest(false, &(number * power), &one, ty)
-            };
-            assert_eq!(given, raw);
+            assert_eq!(read_back(digits.parse::<BigUint>().unwrap(), scale, ty), raw);
         }
     }
 }

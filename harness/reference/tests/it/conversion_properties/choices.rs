@@ -28,7 +28,7 @@ const ROUNDINGS: [Rounding; 6] = [
 fn integers() -> Vec<ElementaryType> {
     ElementaryType::ALL
         .into_iter()
-        .filter(|ty| ty.is_integer() || ty.is_bit_string())
+        .filter(|ty| ty.is_whole())
         .collect()
 }
 

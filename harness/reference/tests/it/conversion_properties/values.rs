@@ -8,21 +8,18 @@ use stickler_types::{ElementaryType, Family, MomentUnits, OutOfRange};
 /// Returns whether a conversion keeps this value: its target holds it.
 fn holds(conversion: Conversion, raw: u64) -> bool {
     let Conversion { from, to, .. } = conversion;
-    let whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string() || ty == ElementaryType::Bool;
+    let whole = |ty: ElementaryType| ty.is_whole() || ty == ElementaryType::Bool;
     match (from.family(), to.family()) {
-        _ if whole(from) && whole(to) => {
-            let (low, high) = to.integer_range().expect("a whole number");
-            (low..=high).contains(&from.integer_value(raw))
-        }
+        _ if whole(from) && whole(to) => to.holds(from.integer_value(raw)),
         (_, Family::Real) if whole(from) => {
             let digits = if to == ElementaryType::Real { 24 } else { 53 };
             from.integer_value(raw).unsigned_abs() <= 1 << digits
         }
         (Family::Real, _) if whole(to) => {
-            let (value, (low, high)) = (number(raw, from), to.integer_range().expect("a whole number"));
+            let value = number(raw, from);
             let exact =
                 value.abs() < 1e18 && value.fract() == 0.0 && !(value == 0.0 && value.is_sign_negative());
-            exact && (low..=high).contains(&(value as i128))
+            exact && to.holds(value as i128)
         }
         (Family::Real, Family::Real) => {
             to == ElementaryType::Lreal || {
@@ -31,24 +28,19 @@ fn holds(conversion: Conversion, raw: u64) -> bool {
             }
         }
         (Family::Duration, _) if to.is_integer() => {
-            let (low, high) = to.integer_range().expect("an integer");
             let nanoseconds = from.integer_value(raw);
-            nanoseconds % 1_000_000 == 0 && (low..=high).contains(&(nanoseconds / 1_000_000))
+            nanoseconds % 1_000_000 == 0 && to.holds(nanoseconds / 1_000_000)
         }
         (_, Family::Duration) if from.is_integer() => from.integer_value(raw).abs() <= 9_223_372_036_854,
         (left, right) => left == right && left != Family::Character,
     }
 }
 
-fn moment(ty: ElementaryType) -> bool {
-    ty.is_duration() || ty.is_date_or_time()
-}
-
 /// Returns whether a duration, date or time of day is an integer that wraps, of which these properties do not hold.
 fn wraps_moments(pair: &Conversion, dialect: &Dialect) -> bool {
     let units = dialect.conversions.moment_units;
     let counts = units == MomentUnits::Counts || units == MomentUnits::ShortTime;
-    counts && (moment(pair.from) || moment(pair.to))
+    counts && (pair.from.is_moment() || pair.to.is_moment())
 }
 
 #[test]
@@ -150,7 +142,7 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
     match (from.family(), to.family()) {
         (Family::Real, Family::Boolean) | (_, Family::Real) => true,
         (Family::TimeOfDay, Family::Duration) => true,
-        (Family::Real, _) if moment(to) => {
+        (Family::Real, _) if to.is_moment() => {
             let most = (i64::MAX as f64) / unit(to) as f64;
             let day = to.family() == Family::TimeOfDay;
             if day {
@@ -159,27 +151,19 @@ fn stays_within(conversion: Conversion, raw: u64) -> bool {
                 number.abs() < most * 0.9
             }
         }
+        // Rounding up at the upper limit may leave the type.
         (Family::Real, _) => {
-            let (low, high) = to.integer_range().expect("a whole number");
-            number.abs() < 1e19 && (low..=high).contains(&(number as i128)) && {
-                // Rounding up at the upper limit may leave the type.
-                number.round() as i128 <= high && number.round() as i128 >= low
-            }
+            number.abs() < 1e19 && to.holds(number as i128) && to.holds(number.round() as i128)
         }
-        _ if moment(from) && moment(to) => to.family() != Family::TimeOfDay,
-        _ if moment(from) => {
-            let (low, high) = to.integer_range().unwrap_or((0, 0));
-            to == ElementaryType::Bool
-                || (low..=high).contains(&(from.integer_value(raw) / unit(from) - zero))
+        _ if from.is_moment() && to.is_moment() => to.family() != Family::TimeOfDay,
+        _ if from.is_moment() => {
+            to == ElementaryType::Bool || to.holds(from.integer_value(raw) / unit(from) - zero)
         }
         (_, Family::TimeOfDay) => (0..86_400_000).contains(&from.integer_value(raw)),
-        _ if moment(to) => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to) - zero,
+        _ if to.is_moment() => from.integer_value(raw).abs() <= i128::from(i64::MAX) / unit(to) - zero,
         (_, Family::Character) => from.integer_value(raw) >= 0 && from.integer_value(raw) < 128,
         (_, Family::Boolean) => true,
-        _ => {
-            let (low, high) = to.integer_range().unwrap_or((0, i128::MAX));
-            (low..=high).contains(&from.integer_value(raw))
-        }
+        _ => to.holds(from.integer_value(raw)),
     }
 }
 
@@ -236,11 +220,10 @@ fn truncation_never_grows_in_magnitude() {
             let to = function.result_type(from, None);
             let value = raw(draw, from)?;
             let (number, result) = (number(value, from), function.conversion(from, to).apply(value));
-            let (low, high) = to.integer_range().expect("an integer");
             // One choice truncates to 32 bits first, whatever the target.
             let is_lost = dialect.conversions.truncation_out_of_range == OutOfRange::Indefinite32
                 && i32::try_from(number as i128).is_err();
-            if is_lost || !(number.abs() < 1e19 && (low..=high).contains(&(number as i128))) {
+            if is_lost || !(number.abs() < 1e19 && to.holds(number as i128)) {
                 return Ok(());
             }
             // A number without its fraction has no more digits than with it.
