@@ -11,9 +11,9 @@ function showSiteHead() {
 }
 
 /** Returns the name of an engine, which leads to a view of the page of its run where a site has that page. */
-function originLink(origin, view) {
+function originLink(origin, view, label = engineLabel(origin)) {
   const page = engineOf(origin)?.page;
-  return page ? link(`${page}#${view}`, origin) : origin;
+  return page ? link(`${page}#${view}`, label) : label;
 }
 
 /** Shows every function with the numbers of its values, and of those on which documents or engines depart from each other. */
@@ -31,5 +31,5 @@ function showFunctions(main) {
     return [el("th", { scope: "row" }, link(addressOf(name), name)), numberCell(calls.length), numberCell(differing.length),
       ...departing.map((number) => (number === 0 ? el("td.number.dim", {}, "–") : el("td.number", {}, el("span.tag.fail", {}, `✗ ${number}`))))];
   });
-  add(main, table("Conversion functions", ["Function", ...["Values", "Differ", ...engines].map((head) => el("th.number", {}, head))], rows));
+  add(main, table("Conversion functions", ["Function", ...["Values", "Differ", ...engines].map((head) => el("th.number", {}, engineLabel(head)))], rows));
 }
