@@ -295,7 +295,7 @@ function valueTable(title, one, rows, columns, wanted) {
     column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
   const grid = el("table.values", {});
   const list = el("ul.notes", {});
-  const silent = el("p.dim", {});
+  const silent = el("p.dim", { id: "silent" });
   const own = ownSystem();
   const show = (indices) => {
     const all = folded(columns, indices);

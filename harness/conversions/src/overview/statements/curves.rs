@@ -164,7 +164,7 @@ fn quarters(value: &Value) -> Option<i128> {
         return None;
     };
     match ty.real_value(raw).map(|number| number * 4.0) {
-        Some(quarters) => (quarters.fract() == 0.0 && quarters.abs() < 1e38).then_some(quarters as i128),
+        Some(quarters) => (quarters.fract() == 0.0 && quarters.abs() < 4e37).then_some(quarters as i128),
         None if ty.is_duration() => {
             (ty.integer_value(raw) % 250_000 == 0).then(|| ty.integer_value(raw) / 250_000)
         }
