@@ -5,12 +5,12 @@
 //! everything else is a number.
 
 mod builder;
-mod curves;
+mod curve;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
 use crate::contradictions::Contradictions;
 pub use builder::StatementsBuilder;
-use curves::Curves;
+use curve::Curve;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -82,9 +82,9 @@ struct FunctionStatements {
     calls: usize,
     /// The number of its boundary values.
     boundaries: usize,
-    /// Its curves; none where a table shows as much.
+    /// Its curve; none where a table shows as much.
     #[serde(skip_serializing_if = "Option::is_none")]
-    curves: Option<Curves>,
+    curve: Option<Curve>,
 }
 
 /// The calls, each property a list with an element for each call.

@@ -21,7 +21,7 @@ function prepare(data) {
   let question = pairs.length + parts.length;
   data.functions = functions.map((one) => {
     const known = { name: words[one.name], operands: one.operands.map((word) => words[word]), result: words[one.result],
-      dialects: one.dialects, first: question, calls: one.calls, boundaries: one.boundaries, curves: one.curves };
+      dialects: one.dialects, first: question, calls: one.calls, boundaries: one.boundaries, curve: one.curve };
     question += one.calls;
     return known;
   });

@@ -42,10 +42,10 @@ function curveText(type, text) {
   return ["REAL", "LREAL"].includes(type) && /^-?\d+$/.test(text) ? `${text}.0` : text;
 }
 
-/** Returns the number of a literal of a call on the scale of curves, where durations are milliseconds. */
+/** Returns the number of a literal on the scale of curves, where durations are milliseconds; a duration without a unit is in milliseconds too. */
 function curveNumber(type, literal) {
   if (type === "REAL") return Math.fround(numberOf(literal));
-  if (!isDuration(type)) return numberOf(literal);
+  if (!isDuration(type) || /^-?[\d.]+$/.test(literal)) return numberOf(literal);
   const parts = [...bare(literal).matchAll(/([\d.]+)(d|h|ms|us|ns|m|s)/g)];
   const units = { d: 86400e3, h: 3600e3, m: 60e3, s: 1e3, ms: 1, us: 1e-3, ns: 1e-6 };
   if (parts.length === 0) return NaN;
@@ -62,6 +62,15 @@ function isDocumented(basis) {
   return basis !== null && kindOf(basis) !== "rule";
 }
 
+/** Returns whether an operand is in a view; that of limits reaches as far beyond them as they are apart, and around the first integers that a real skips. */
+function isInView(name, from, to, x) {
+  if (name === "zero") return !(from in WIDTHS) && Math.abs(x) <= 3.5;
+  if (name === "whole") return true;
+  if (isReal(to)) return x >= 2 ** (to === "REAL" ? 24 : 53) - 9 && x <= 2 ** (to === "REAL" ? 24 : 53) + 16;
+  const [least, greatest] = limitsOf(to) || [-(2 ** 31), 2 ** 32];
+  return Math.abs(x - (least + greatest) / 2) <= 1.75 * (greatest - least + 2);
+}
+
 /** Returns points by their operands, each once, with its place among them; NaN comes last. */
 function inOrder(points) {
   const each = new Map(points.map((point) => [point.operand, point]));
@@ -75,30 +84,22 @@ function inOrder(points) {
  * @returns {Array<{dialects: string[], views: Array<{name: string, points: Array<{x: number, y: number, operand: string, result: string}>, basisOf: function(string, Object): string|null}>}>}
  */
 function behavioursOf(one) {
-  if (!one.curves) return [];
+  if (!one.curve) return [];
   const { words, dialects } = conversions().statements;
-  const axes = one.curves.axes.map((word) => unpackedNumbers(words[word], (index, before) => before[index - 1].quarters));
+  const axis = unpackedNumbers(words[one.curve.axis], (index, before) => before[index - 1].quarters);
   const groups = new Map();
   one.dialects.forEach((dialect, index) => {
-    const rule = one.curves.rules[one.curves.of[index]];
-    const key = rule.slice(0, 3).join(" ");
-    if (!groups.has(key)) groups.set(key, { dialects: [], rules: new Map() });
-    groups.get(key).dialects.push(dialects[dialect]);
-    groups.get(key).rules.set(dialects[dialect], rule);
+    const [results, bases] = one.curve.rules[one.curve.of[index]];
+    if (!groups.has(results)) groups.set(results, new Map());
+    groups.get(results).set(dialects[dialect], unpackedRuns(words[bases]).map((item) => (item === "-" ? null : words[Number(item)])));
   });
-  const type = one.operands[0];
-  const numberIn = (of, text) => (isDuration(of) && /[a-z]/.test(text) ? curveNumber(of, text) : of === "REAL" ? Math.fround(Number(text)) : Number(text));
-  const behaviours = [...groups.values()].map(({ dialects: names, rules }) => {
-    const [rule] = rules.values();
-    const views = CURVE_VIEWS.filter((name) => name !== "zero" || !(type in WIDTHS)).map((name) => {
-      const view = CURVE_VIEWS.indexOf(name);
-      const results = unpackedNumbers(words[rule[view]], (index) => axes[view][index].quarters);
-      const basesOf = new Map([...rules].map(([dialect, own]) => [dialect, unpackedRuns(words[own[view + 3]]).map((item) => (item === "-" ? null : words[Number(item.slice(1))]))]));
-      const points = axes[view].map((operand, index) => ({ from: index, exact: operand.quarters, x: numberIn(type, operand.text), y: numberIn(one.result, results[index].text),
-        operand: curveText(type, operand.text), result: curveText(one.result, results[index].text) }));
-      return { name, points: inOrder(points), basisOf: (dialect, point) => basesOf.get(dialect)[point.from] };
-    });
-    return { dialects: names, views: views.filter(({ points }) => points.length > 0) };
+  const [from, to] = [one.operands[0], one.result];
+  const behaviours = [...groups].map(([rule, bases]) => {
+    const results = unpackedNumbers(words[rule], (index) => axis[index].quarters);
+    const points = axis.map((operand, index) => ({ sample: index, exact: operand.quarters, x: curveNumber(from, operand.text), y: curveNumber(to, results[index].text),
+      operand: curveText(from, operand.text), result: curveText(to, results[index].text) }));
+    const views = CURVE_VIEWS.map((name) => ({ name, points: inOrder(points.filter(({ x }) => isInView(name, from, to, x))), basisOf: (dialect, point) => bases.get(dialect)[point.sample] }));
+    return { dialects: [...bases.keys()], views: views.filter((view) => view.points.length > 0) };
   });
   const own = ownSystem();
   return behaviours.sort((left, right) => Number(right.dialects.includes(own)) - Number(left.dialects.includes(own)) || right.dialects.length - left.dialects.length);

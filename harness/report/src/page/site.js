@@ -23,6 +23,7 @@ function showFunctions(main) {
   add(main, el("p", {}, "What each function gives for boundary values and for the values of the suite's cases: by the documents of each dialect, on the newest run of each engine, and on recorded compilers. ",
     el("em", {}, "Differ"), " counts the values for which the documents of two dialects state different results; below an engine stand those for which it gives something else than the source of its dialect."));
   if (data === null) return;
+  main.prepend(systemChoice());
   const rows = [...data.byName].sort(([one], [other]) => (one < other ? -1 : 1)).map(([name, tables]) => {
     const calls = tables.flatMap((one) => Array.from({ length: one.calls }, (_, index) => ({ stated: statedOf(one, index).stated, question: one.first + index })));
     const differing = calls.filter(({ stated }) => new Set(stated.filter((known) => known !== null).map((known) => known.value)).size > 1);

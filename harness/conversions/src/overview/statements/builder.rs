@@ -1,6 +1,6 @@
 //! Gathers what cases state about conversions, and numbers the questions.
 
-use super::curves::Curves;
+use super::curve::Curve;
 use super::{Accepted, CaseStatement, FunctionStatements, Statements};
 use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
@@ -193,7 +193,7 @@ impl StatementsBuilder {
                 dialects: function.dialects.clone(),
                 calls: function.calls.len(),
                 boundaries: function.boundaries,
-                curves: Curves::of(signature, &dialects, &mut self.words),
+                curve: Curve::of(signature, &dialects, &mut self.words),
             });
             for (number, call) in function.calls.iter().enumerate() {
                 let texts = call.iter().map(|value| self.words.number(&value.to_string()));

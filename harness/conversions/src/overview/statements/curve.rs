@@ -6,50 +6,49 @@ use serde::Serialize;
 use stickler_exact::{Expected, Signature, expected};
 use stickler_types::{DialectName, ElementaryType, Value, WordTable};
 
-/// The curves of a function. Each text is the number of a word, and a list of items for the samples with blanks between them: `3*item` is three times
-/// that item. A number is in quarters of 1, or of a millisecond.
+/// The curve of a function. Each text is the number of a word, and a list of items for the samples with blanks between them: `3*item` is three
+/// times that item. A number is in quarters of 1, or of a millisecond.
 #[derive(Serialize)]
-pub(super) struct Curves {
-    /// The samples around zero, around the limits of the result's type, and over the whole range of the operand's: `=number`, `+difference` from
-    /// the sample before, or `~literal`.
-    axes: [u32; 3],
-    /// The distinct rules, each with the results on the three axes, and then the bases. A result is `=number`, `+difference` from its
-    /// operand, or `~literal`; a basis is `:word`, or `-` where no document states the result.
-    rules: Vec<[u32; 6]>,
+pub(super) struct Curve {
+    /// The samples around zero, around the limits of the result's type, and over the whole range of the operand's: `=number`, `+difference`
+    /// from the sample before, or `~literal`.
+    axis: u32,
+    /// The distinct rules, each with its results and their bases. A result is `=number`, `+difference` from its operand, or `~literal`; a basis is
+    /// the number of its word, or `-` where no document states the result.
+    rules: Vec<[u32; 2]>,
     /// By dialect of the function, the index of its rule.
     of: Vec<usize>,
 }
 
-impl Curves {
-    /// Returns the curves of a function in its dialects; `None` where a table shows as much, as of texts and of what always fits.
+impl Curve {
+    /// Returns the curve of a function in its dialects; `None` where a table shows as much, as of texts and of what always fits.
     pub(super) fn of(
         signature: &Signature,
         dialects: &[DialectName],
         words: &mut WordTable,
-    ) -> Option<Curves> {
-        let axes = axes(signature)?;
+    ) -> Option<Curve> {
+        let axis = axis(signature)?;
         let mut rules = Vec::new();
         let mut of = Vec::with_capacity(dialects.len());
         for dialect in dialects {
-            let [(a, d), (b, e), (c, f)] = axes.each_ref().map(|axis| {
-                let call = |operand| expected(signature, std::slice::from_ref(operand), *dialect);
-                let given: Vec<Expected> = axis.iter().map(call).collect();
-                let basis = |given: &Expected| match given.basis {
-                    Some(basis) => format!(":{}", words.number(basis)),
-                    None => "-".to_owned(),
-                };
-                let bases = runs(given.iter().map(basis));
-                let pairs = || axis.iter().zip(given.iter().map(|given| &given.value));
-                let numbers = runs(pairs().map(|(_, result)| item(None, result)));
-                let differences = runs(pairs().map(|(operand, result)| item(Some(operand), result)));
-                let shorter = if numbers.len() < differences.len() {
-                    numbers
+            let call = |operand| expected(signature, std::slice::from_ref(operand), *dialect);
+            let given: Vec<Expected> = axis.iter().map(call).collect();
+            let basis = |given: &Expected| {
+                let word = given.basis.map(|basis| words.number(basis).to_string());
+                word.unwrap_or_else(|| "-".to_owned())
+            };
+            let bases = runs(given.iter().map(basis));
+            let mut last = String::new();
+            let results = runs(axis.iter().zip(&given).map(|(operand, given)| {
+                let difference = item(Some(operand), &given.value);
+                let is_line = std::mem::replace(&mut last, difference.clone()) == difference;
+                if is_line {
+                    difference
                 } else {
-                    differences
-                };
-                (words.number(&shorter), words.number(&bases))
-            });
-            let rule = [a, b, c, d, e, f];
+                    item(None, &given.value)
+                }
+            }));
+            let rule = [results, bases].map(|text| words.number(&text));
             of.push(
                 rules
                     .iter()
@@ -60,18 +59,16 @@ impl Curves {
                 rules.push(rule);
             }
         }
-        let axes = axes.map(|axis| {
-            let before = std::iter::once(None).chain(axis.iter().map(Some));
-            words.number(&runs(
-                before.zip(&axis).map(|(before, sample)| item(before, sample)),
-            ))
-        });
-        Some(Curves { axes, rules, of })
+        let before = std::iter::once(None).chain(axis.iter().map(Some));
+        let axis = words.number(&runs(
+            before.zip(&axis).map(|(before, sample)| item(before, sample)),
+        ));
+        Some(Curve { axis, rules, of })
     }
 }
 
-/// Returns the operands on the three axes, each in any order.
-fn axes(signature: &Signature) -> Option<[Vec<Value>; 3]> {
+/// Returns the operands, in any order.
+fn axis(signature: &Signature) -> Option<Vec<Value>> {
     let (&[from], to) = (&signature.operands[..], signature.result) else {
         return None;
     };
@@ -79,7 +76,7 @@ fn axes(signature: &Signature) -> Option<[Vec<Value>; 3]> {
     let range = from.integer_range();
     let fits = range.is_some_and(|(least, greatest)| to.holds(least) && to.holds(greatest));
     (is_number(from) && is_number(to) && !fits)
-        .then(|| [around_zero(from), around_limits(from, to), whole_range(from)])
+        .then(|| [around_zero(from), around_limits(from, to), whole_range(from)].concat())
 }
 
 /// Returns the quarters from -3.5 to 3.5, with their neighbours where the type has fractions.
@@ -117,19 +114,19 @@ fn around_limits(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
         .collect()
 }
 
-/// Returns six whole numbers in each power of ten, few of which end in zeros, since these would hide what a wrap does; and what is at the
+/// Returns four whole numbers in each power of ten up to 10^40, few of which end in zeros, since these would hide what a wrap does; and what is at the
 /// ends of the type.
 fn whole_range(from: ElementaryType) -> Vec<Value> {
     let mut axis = Vec::from_iter(operand(from, 0));
-    for sixth in (0..240).chain((240..1850).step_by(72)) {
-        let number = 10_f64.powf(f64::from(sixth) / 6.0).round();
+    for fourth in (0..160).chain((160..1233).step_by(48)) {
+        let number = 10_f64.powf(f64::from(fourth) / 4.0).round();
         axis.extend([number, -number].into_iter().filter_map(|number| {
             match from.is_real() {
                 true => Some(Value::of_real(from, number)),
                 false => operand(
                     from,
                     (number as i128)
-                        .saturating_add(i128::from(sixth % 6))
+                        .saturating_add(i128::from(fourth % 4))
                         .saturating_mul(4),
                 ),
             }
@@ -164,7 +161,7 @@ fn quarters(value: &Value) -> Option<i128> {
         return None;
     };
     match ty.real_value(raw).map(|number| number * 4.0) {
-        Some(quarters) => (quarters.fract() == 0.0 && quarters.abs() < 4e37).then_some(quarters as i128),
+        Some(quarters) => (quarters.fract() == 0.0 && quarters.abs() < 1e24).then_some(quarters as i128),
         None if ty.is_duration() => {
             (ty.integer_value(raw) % 250_000 == 0).then(|| ty.integer_value(raw) / 250_000)
         }
