@@ -263,14 +263,16 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
-        use TypeSpecificationKind::{Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text};
+        use TypeSpecificationKind::{
+            Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text, Union, VariableLengthArray,
+        };
         let span = declaration.name.span;
         self.note_if(declaration.extends.is_some(), "structure-extends", span);
         match &declaration.specification.kind {
             Named(_) | Text { .. } => self.note("type-alias", span),
             Array { .. } => self.note("array-type", span),
-            Structure(_) => self.end_of_block(declaration.specification.span),
-            Subrange { .. } | Enumeration { .. } | Pointer { .. } | Error => {}
+            Structure(_) | Union(_) => self.end_of_block(declaration.specification.span),
+            Subrange { .. } | Enumeration { .. } | VariableLengthArray { .. } | Pointer { .. } | Error => {}
         }
         if let Some(initializer) = &declaration.initializer {
             self.note("type-initial-value", initializer.span);
@@ -298,6 +300,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             };
             self.note(key, location.span);
         }
+        self.note_if(group.edge.is_some(), "edge-input", group.specification.span);
         let is_field = at.is_field();
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
@@ -341,6 +344,14 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 let has_one = limits.any(|(low, high)| written(*low) == written(*high));
                 self.note_if(has_one, "array-one-element", span);
             }
+            TypeSpecificationKind::VariableLengthArray { .. } => {
+                self.note("variable-length-array", span);
+                use VariableKind::{Input, Output};
+                let is_input = at
+                    .section
+                    .is_some_and(|section| matches!(section.kind, Input | Output));
+                self.note_if(is_input, "variable-length-input", span);
+            }
             TypeSpecificationKind::Enumeration { base, values } => {
                 self.note("enumeration", span);
                 if let Some(base) = base {
@@ -351,6 +362,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 self.note_if(has_number, "enumeration-number", span);
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Union(_) => self.note("union", span),
             TypeSpecificationKind::Pointer { form, target } => {
                 self.note(form.feature(), span);
                 let is_nested = matches!(&target.kind, TypeSpecificationKind::Pointer { form, .. } if *form != PointerForm::PointerTo);

@@ -208,8 +208,10 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }
@@ -261,6 +263,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             | ExpressionKind::Part { .. }
             | ExpressionKind::Unary { .. }
             | ExpressionKind::Binary { .. }
+            | ExpressionKind::Assigned { .. }
             | ExpressionKind::Parenthesized(_)
             | ExpressionKind::Error => {}
         }

@@ -156,18 +156,18 @@ fn modulo(_: &ConversionChoices, signature: &Signature) -> String {
 
 fn reading(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.text_reading {
-        TextReading::WholeText => "the to.is_whole() text, blanks around it aside, must be a number; otherwise 0",
+        TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
         TextReading::WholeTextInRange => {
-            "the to.is_whole() text, blanks around it aside, must be a number that the type holds; otherwise 0"
+            "the whole text, blanks around it aside, must be a number that the type holds; otherwise 0"
         }
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }
         TextReading::WholeLiteral => {
-            "the to.is_whole() text, white space around it aside, must be a literal; otherwise 0"
+            "the whole text, white space around it aside, must be a literal; otherwise 0"
         }
         TextReading::LooseDigits => {
-            "the to.is_whole() text, underscores and blanks aside, must be a number; otherwise 0"
+            "the whole text, underscores and blanks aside, must be a number; otherwise 0"
         }
         TextReading::LeadingFixedPoint => {
             "the decimal number at the beginning, without an exponent; otherwise 0"

@@ -101,6 +101,7 @@ impl Reader<'_> {
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
             | tree::ExpressionKind::Dereference { .. }
+            | tree::ExpressionKind::Assigned { .. }
             | tree::ExpressionKind::Error => None,
         }
     }

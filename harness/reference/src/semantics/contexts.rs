@@ -88,6 +88,8 @@ pub(super) fn fit(
     let elementary = target.elementary();
     let fits = match value {
         Inferred::Error | Inferred::Pending => return Fit::Silent,
+        // Its reading is what is wrong.
+        Inferred::Known(ty) if types.is_variable_length(ty) => return Fit::Silent,
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target || types.is_same(ty, target) => true,
         Inferred::Known(ty) if types.is_interface(target) => {

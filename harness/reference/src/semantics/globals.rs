@@ -69,7 +69,11 @@ impl<'u> Declarer<'u, '_> {
     pub(super) fn resolve_deferred(&mut self) {
         for deferred in std::mem::take(&mut self.deferred) {
             self.current = Some(deferred.pou);
-            let ty = self.specification(deferred.specification, deferred.hint);
+            let is_parameter = self.model.variables[deferred.variables.start].limits > 0;
+            let ty = match is_parameter {
+                true => self.parameter_type(deferred.specification, deferred.hint),
+                false => self.specification(deferred.specification, deferred.hint),
+            };
             for index in deferred.variables {
                 self.model.variables[index].ty = ty;
                 if self.model.variables[index].kind == VariableKind::External {

@@ -6,7 +6,7 @@ use super::contexts::ValueContext;
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
 use super::model::{DeclaredVariable, DefaultInitialValue};
-use super::types::{DefaultValue, TypeId, TypeKind};
+use super::types::{DefaultValue, TypeId, TypeKind, TypeMember};
 use crate::instruction::{Instruction, RoutineId};
 use std::ops::Range;
 use stickler_syntax::source::Span;
@@ -223,12 +223,39 @@ impl<'m> Lowering<'m> {
                 continue;
             };
             if !given.insert(member.offset) {
-                let message = format!("`{}` is given twice", name.text);
+                let message = match structure.is_union {
+                    true => "the fields of a UNION share one initial value".to_owned(),
+                    false => format!("`{}` is given twice", name.text),
+                };
                 self.report(Code::StructureDuplicatedElement, name.span, message);
             }
-            let here = self.shifted(location, member.offset);
-            self.initialize(here, member.ty, Some(value));
+            self.initialize_member(VariablePlace::new(location, ty), member, Some(value));
         }
+    }
+
+    /// Gives a member of what lies at a place its initial value. One of a union that has none leaves the memory to the others.
+    fn initialize_member(
+        &mut self,
+        whole: VariablePlace,
+        member: &TypeMember,
+        initializer: Option<&'m Initializer<'m>>,
+    ) {
+        if !self.model.types.is_union(whole.ty) {
+            let here = self.shifted(whole.location, member.offset);
+            return self.initialize(here, member.ty, initializer);
+        }
+        let extent = *self.model.types.extent(member.ty);
+        if initializer.is_none() && extent.default == DefaultValue::Zero {
+            return;
+        }
+        let span = initializer.map_or(Span::default(), |initializer| initializer.span);
+        let here = Location::Absolute(self.temporary_of(member.ty, span));
+        self.clear(here, extent.size);
+        self.initialize(here, member.ty, initializer);
+        self.entered(whole);
+        self.push_address(here);
+        let layout = self.layout(member.ty);
+        self.emit(Instruction::Scatter(layout));
     }
 
     /// Makes a routine that gives a variable, which is its instance, the default of its type.
@@ -251,8 +278,8 @@ impl<'m> Lowering<'m> {
                         };
                         self.set_line(name.span);
                         let muted = self.reporter.mute(index > 0);
-                        let location = Location::Instance(member.offset);
-                        self.initialize(location, member.ty, group.initializer.as_ref());
+                        let whole = VariablePlace::new(start, ty);
+                        self.initialize_member(whole, member, group.initializer.as_ref());
                         self.reporter.mute(muted);
                     }
                 }

@@ -82,7 +82,13 @@ impl Declarer<'_, '_> {
         let Model { types, variables, .. } = &mut self.model;
         let variable = &mut variables[index as usize];
         let storage = match variable.kind {
-            VariableKind::InOut => memory.cell().map(Storage::AbsolutePointer),
+            VariableKind::InOut => {
+                let address = memory.cell();
+                for _ in 0..variable.limits {
+                    memory.cell().ok_or(variable.name.span)?;
+                }
+                address.map(Storage::AbsolutePointer)
+            }
             _ => memory.allocate(types, variable.ty).map(Storage::Absolute),
         };
         variable.storage = storage.ok_or(variable.name.span)?;

@@ -315,13 +315,20 @@ impl<'m> Lowering<'m> {
         program.methods.insert(key, dispatch.routine);
     }
 
-    /// Copies a variable of one frame to another; of a VAR_IN_OUT, the address.
+    /// Copies a variable of one frame to another; of a VAR_IN_OUT, the address, and of an ARRAY[*] the limits.
     fn copy_variable(&mut self, from: u32, to: u32) {
         let model = self.model;
+        let limits = model.variable(from).limits;
         let [from, to] = [from, to].map(|index| self.outside(&model.variables[index as usize], None));
-        self.begin_store(to);
-        self.load(from);
-        self.finish_store(to, Span::default());
+        for cell in 0..=limits {
+            let [from, to] = [from, to].map(|place| VariablePlace {
+                location: self.shifted(place.location, cell),
+                ..place
+            });
+            self.begin_store(to);
+            self.load(from);
+            self.finish_store(to, Span::default());
+        }
     }
 
     /// Returns the method that an expression calls.

@@ -9,8 +9,8 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableBlock,
-    VariableGroup, VariableKind,
+    Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit,
+    VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
@@ -179,12 +179,18 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) name: Name<'u>,
     /// The declared type.
     pub(super) ty: TypeId,
-    /// The section.
+    /// The section; VAR_IN_OUT for every ARRAY[*], which is passed by its address.
     pub(super) kind: VariableKind,
+    /// The section as it is written.
+    pub(super) section: VariableKind,
+    /// The number of cells behind the address of an ARRAY[*]: the lowest and the highest subscript and the stride of each dimension.
+    pub(super) limits: u32,
     /// Whether the variable is a CONSTANT.
     pub(super) constant: bool,
     /// Whether it stands in a section that is PUBLIC or INTERNAL.
     pub(super) is_public: bool,
+    /// The edge qualifier of an input, behind which stand what the body sees in its place, and its value in the call before.
+    pub(super) edge: Option<Edge>,
     /// The location.
     pub(super) storage: Storage,
     /// The initial value.
@@ -202,8 +208,11 @@ impl<'u> DeclaredVariable<'u> {
             name,
             ty,
             kind,
+            section: kind,
+            limits: 0,
             constant: false,
             is_public: false,
+            edge: None,
             storage: Storage::Absolute(0),
             initializer: None,
             repeated: false,
@@ -233,9 +242,9 @@ pub(super) enum Storage {
     Absolute(u32),
     /// Behind the address of the instance.
     Instance(u32),
-    /// The address in the cell at an address (VAR_IN_OUT of a function).
+    /// The address in the cell at an address (VAR_IN_OUT of a function); the limits of an ARRAY[*] lie in the cells behind it.
     AbsolutePointer(u32),
-    /// The address in a cell of the instance (VAR_IN_OUT of a function block).
+    /// The same, in a cell of the instance (VAR_IN_OUT of a function block).
     InstancePointer(u32),
 }
 

@@ -156,10 +156,15 @@ impl<'u> Declarer<'u, '_> {
             name: self.model.pous[index].pou.name.text.into(),
             pou: saturating_u32(index),
             base: None,
+            is_union: false,
             members: NamedList::new(),
         };
         let kind = TypeKind::Interface(Box::new(interface));
-        self.model.pous[index].ty = self.model.types.add(kind, Extent::PLAIN);
+        let extent = Extent {
+            has_interface: true,
+            ..Extent::PLAIN
+        };
+        self.model.pous[index].ty = self.model.types.add(kind, extent);
         self.note_parents(index);
     }
 

@@ -88,8 +88,10 @@ impl<'u> Declarer<'u, '_> {
         }
         let Some(initializer) = &ty.initializer else {
             return match ty.specification.kind {
-                // The names of structures and enumerations are their types' own.
-                TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Enumeration { .. } => base,
+                // The names of structures, unions and enumerations are their types' own.
+                TypeSpecificationKind::Structure(_)
+                | TypeSpecificationKind::Union(_)
+                | TypeSpecificationKind::Enumeration { .. } => base,
                 _ => {
                     let default = self.model.types.extent(base).default;
                     self.model.types.add_alias(base, ty.name.text, default)
@@ -160,12 +162,13 @@ impl Needs<'_, '_> {
             TypeSpecificationKind::Named(name) => self.name(name.unqualified()),
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
-            TypeSpecificationKind::Structure(groups) => {
+            TypeSpecificationKind::Structure(groups) | TypeSpecificationKind::Union(groups) => {
                 let specifications = groups.iter().map(|group| &group.specification);
                 specifications.for_each(|specification| self.specification(specification));
             }
             // What leads to a value does not contain it.
             TypeSpecificationKind::Pointer { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Text { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Error => {}

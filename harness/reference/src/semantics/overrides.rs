@@ -140,7 +140,7 @@ impl<'u> Declarer<'u, '_> {
         });
         let typed = parameters.map(|variable| {
             let ty = self.model.types.root(variable.ty);
-            (ty != TypeId::ERROR).then_some((CaseFolded(variable.name.text), variable.kind, ty))
+            (ty != TypeId::ERROR).then_some((CaseFolded(variable.name.text), variable.section, ty))
         });
         typed.collect()
     }

@@ -59,7 +59,8 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
+    /// Lowers `target := value`.
+    pub(super) fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
         if let Some(property) = self.property(target) {
             return self.write_property(target, property, value);
         }

@@ -92,9 +92,9 @@ pub(super) struct Enumeration {
 pub(super) struct ArrayShape {
     /// The elements' type.
     pub(super) element: TypeId,
-    /// The dimensions, the first varying slowest.
+    /// The dimensions, the first varying slowest; of an ARRAY[*] each is [`Dimension::VARIABLE`].
     pub(super) dimensions: Box<[Dimension]>,
-    /// The number of elements.
+    /// The number of elements; 0 of an ARRAY[*].
     pub(super) length: u32,
 }
 
@@ -109,7 +109,28 @@ pub(super) struct Dimension {
     pub(super) stride: u32,
 }
 
+impl ArrayShape {
+    /// Returns whether only a call says what the limits are: those of its argument.
+    pub(super) fn is_variable_length(&self) -> bool {
+        self.length == 0
+    }
+
+    /// Returns whether the limits are DINT, as LOWER_BOUND gives them, of so few dimensions that each call may pass them all.
+    pub(super) fn has_plain_limits(&self) -> bool {
+        let is_dint = |limit: i64| i32::try_from(limit).is_ok();
+        let mut dimensions = self.dimensions.iter();
+        self.dimensions.len() <= 16 && dimensions.all(|limits| is_dint(limits.low) && is_dint(limits.high))
+    }
+}
+
 impl Dimension {
+    /// A dimension of an ARRAY[*].
+    pub(super) const VARIABLE: Dimension = Dimension {
+        low: 1,
+        high: 0,
+        stride: 0,
+    };
+
     /// Returns the number of subscripts. Arrays are bounded, so 32 bits suffice.
     pub(super) fn length(self) -> u32 {
         u32::try_from(self.high.wrapping_sub(self.low).wrapping_add(1)).unwrap_or(0)
@@ -125,6 +146,8 @@ pub(super) struct Structure {
     pub(super) pou: u32,
     /// The type that it extends, whose elements lie before its own.
     pub(super) base: Option<TypeId>,
+    /// Whether all elements share the memory: a union, of which each cell holds a byte.
+    pub(super) is_union: bool,
     /// The elements, those of the base left out.
     pub(super) members: NamedList<TypeMember>,
 }
@@ -177,6 +200,8 @@ pub(super) struct Extent {
     pub(super) depth: u32,
     /// Whether a function block is part of it.
     pub(super) has_block: bool,
+    /// Whether an interface is part of it.
+    pub(super) has_interface: bool,
     /// The value without an initial value.
     pub(super) default: DefaultValue,
 }
@@ -188,6 +213,7 @@ impl Extent {
         text_units: 0,
         depth: 0,
         has_block: false,
+        has_interface: false,
         default: DefaultValue::Zero,
     };
 }
@@ -262,6 +288,11 @@ impl TypeTable {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => Some(structure),
             _ => None,
         }
+    }
+
+    /// Returns whether a type is a union.
+    pub(super) fn is_union(&self, id: TypeId) -> bool {
+        self.structure(id).is_some_and(|structure| structure.is_union)
     }
 
     /// Returns the element or variable of a name, inherited ones among them.
@@ -383,6 +414,26 @@ impl TypeTable {
     pub(super) fn is_same_variable(&self, one: TypeId, other: TypeId) -> bool {
         let is_text = matches!(self.kind(one), TypeKind::Text { .. });
         is_text && self.value_type(one) == self.value_type(other) || self.is_same(one, other)
+    }
+
+    /// Returns whether a type is that of an ARRAY[*].
+    pub(super) fn is_variable_length(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Array(shape) if shape.is_variable_length())
+    }
+
+    /// Returns whether an array may be passed where an ARRAY[*] is expected.
+    ///
+    /// Basis: iec-61131-3: 6.5.3 of the third edition.
+    pub(super) fn fits_variable_length(&self, argument: TypeId, parameter: TypeId) -> bool {
+        match (self.kind(argument), self.kind(parameter)) {
+            (TypeKind::Array(one), TypeKind::Array(other)) => {
+                other.is_variable_length()
+                    && one.has_plain_limits()
+                    && one.dimensions.len() == other.dimensions.len()
+                    && self.is_same(one.element, other.element)
+            }
+            _ => false,
+        }
     }
 
     /// Adds another name for a type, which may have a default value of its own.
@@ -513,7 +564,10 @@ impl TypeTable {
             TypeKind::Array(shape) => {
                 let limits = shape.dimensions.iter();
                 let limits: Vec<_> = limits
-                    .map(|limit| format!("{}..{}", limit.low, limit.high))
+                    .map(|limit| match shape.is_variable_length() {
+                        true => "*".to_owned(),
+                        false => format!("{}..{}", limit.low, limit.high),
+                    })
                     .collect();
                 format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))
             }

@@ -19,9 +19,13 @@ impl<'s> Parser<'s, '_> {
             "property" | "var-inst" | "structure-extends" | "pointer-to-this" => {
                 (Code::UnexpectedToken, extension)
             }
-            "pointer" | "reference-to" | "reference-binding" | "short-circuit" | "var-stat" => {
-                (Code::SyntaxError, extension)
-            }
+            "pointer"
+            | "reference-to"
+            | "reference-binding"
+            | "short-circuit"
+            | "var-stat"
+            | "union"
+            | "assignment-expression" => (Code::SyntaxError, extension),
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
         if !has {

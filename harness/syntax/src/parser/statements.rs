@@ -120,8 +120,7 @@ impl<'s> Parser<'s, '_> {
                 return Err(self.expected("`;` (a call cannot be assigned to)"));
             }
             self.bump();
-            let value = self.expression()?;
-            self.unsupported_chain()?;
+            let value = self.assigned_value()?;
             return Ok(StatementKind::Assignment { target, value });
         }
         if self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF") {

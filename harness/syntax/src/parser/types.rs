@@ -11,7 +11,9 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
-            TokenKind::Name if parser.unsupported_union() => Ok(Kind::Error),
+            TokenKind::Name if parser.nth(1) == TokenKind::Name && parser.at_word("UNION") => {
+                parser.union_type()
+            }
             TokenKind::Name => parser.named_type(),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
@@ -85,16 +87,18 @@ impl<'s> Parser<'s, '_> {
         Ok(Kind::Enumeration { base, values })
     }
 
-    /// `ARRAY[low..high, …] OF element`.
+    /// `ARRAY[low..high, …] OF element` or `ARRAY[*, …] OF element`.
     fn array_type(&mut self) -> ParseResult<Kind<'s>> {
         let start = self.bump().span;
         self.require(TokenKind::LeftBracket)?;
         self.open += 1;
         let mut dimensions = Vec::with_capacity(1);
-        let mut variable_length = None;
+        let mut stars = 0;
         loop {
-            if self.kind() == TokenKind::Star {
-                variable_length = Some(self.bump().span);
+            if dimensions.is_empty() && self.eat(TokenKind::Star) {
+                stars += 1;
+            } else if stars > 0 {
+                return Err(self.expected("`*`, as for the other dimensions"));
             } else {
                 dimensions.push(self.limits()?);
             }
@@ -104,13 +108,19 @@ impl<'s> Parser<'s, '_> {
         }
         self.require(TokenKind::RightBracket)?;
         self.open -= 1;
+        let has = stars == 0
+            || self.has(
+                "variable-length-array",
+                start.to(self.previous_span()),
+                "ARRAY[*]",
+            );
         self.require(TokenKind::Of)?;
         let element = Box::new(self.type_specification()?);
-        if let Some(star) = variable_length {
-            self.unsupported(start.to(star), "arrays of variable length (`ARRAY[*]`)");
-            return Ok(Kind::Error);
-        }
-        Ok(Kind::Array { dimensions, element })
+        Ok(match stars {
+            _ if !has => Kind::Error,
+            0 => Kind::Array { dimensions, element },
+            dimensions => Kind::VariableLengthArray { dimensions, element },
+        })
     }
 
     /// Returns the form of the reference or pointer type that begins here; `None` where the word is a name like others.
@@ -150,6 +160,16 @@ impl<'s> Parser<'s, '_> {
             true => Kind::Error,
             false => Kind::Structure(fields),
         })
+    }
+
+    /// `UNION … END_UNION`, an extension of CODESYS and others.
+    fn union_type(&mut self) -> ParseResult<Kind<'s>> {
+        let word = self.bump().span;
+        let has = self.has("union", word, "UNION");
+        let open = std::mem::take(&mut self.open);
+        let fields = self.variable_groups(TokenKind::Name);
+        self.open = open;
+        Ok(if has { Kind::Union(fields) } else { Kind::Error })
     }
 
     /// `.name.name` behind the name of a namespace.

@@ -5,7 +5,7 @@ use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{
-    Access, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Access, Edge, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
     VariableKind,
 };
 use stickler_types::Code;
@@ -102,12 +102,12 @@ impl<'s> Parser<'s, '_> {
         matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
     }
 
-    /// Groups up to END_VAR or END_STRUCT.
+    /// Groups up to END_VAR, END_STRUCT or END_UNION, which is a name to the lexer.
     pub(super) fn variable_groups(&mut self, closer: TokenKind) -> Vec<VariableGroup<'s>> {
         let mut groups = Vec::new();
         loop {
             match self.kind() {
-                kind if kind == closer => {
+                kind if kind == closer && (kind != TokenKind::Name || self.at_word("END_UNION")) => {
                     self.bump();
                     return groups;
                 }
@@ -127,10 +127,10 @@ impl<'s> Parser<'s, '_> {
                     self.skip_declaration();
                 }
                 kind if self.ends_groups(kind) => {
-                    self.expected(if closer == TokenKind::EndVar {
-                        "`END_VAR`"
-                    } else {
-                        "`END_STRUCT`"
+                    self.expected(match closer {
+                        TokenKind::EndVar => "`END_VAR`",
+                        TokenKind::EndStruct => "`END_STRUCT`",
+                        _ => "`END_UNION`",
                     });
                     let mistaken = matches!(kind, TokenKind::EndStruct | TokenKind::EndType);
                     if mistaken && closer == TokenKind::EndVar {
@@ -185,7 +185,10 @@ impl<'s> Parser<'s, '_> {
         let mut group = self.empty_group();
         match self.names_and_type(&mut group, closer) {
             Ok(specification) => {
-                self.unsupported_edge();
+                group.edge = Edge::from_word(&self.word().to_ascii_uppercase());
+                if group.edge.is_some() {
+                    self.bump();
+                }
                 group.initializer = self.optional_initializer(&specification);
                 group.specification = specification;
             }
@@ -203,6 +206,7 @@ impl<'s> Parser<'s, '_> {
             names: Vec::with_capacity(1),
             location: None,
             specification: error_specification(self.previous_span()),
+            edge: None,
             initializer: None,
         }
     }
@@ -304,7 +308,8 @@ impl<'s> Parser<'s, '_> {
             true => self.initializer().map(Some),
             false => Ok(None),
         };
-        let is_structure = matches!(of.kind, TypeSpecificationKind::Structure(_));
+        use TypeSpecificationKind::{Structure, Union};
+        let is_structure = matches!(of.kind, Structure(_) | Union(_));
         if is_structure && self.dialect.ends_without_semicolon && self.kind() == TokenKind::EndType {
             return None;
         }

@@ -3,8 +3,8 @@
 use super::names::NameShape;
 use super::writer::Writer;
 use crate::tree::{
-    Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Name, Pou,
-    PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    Access, ArrayElement, CaseFolded, Configuration, Declaration, Edge, Initializer, InitializerKind, Name,
+    Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
     VariableGroup,
 };
 use rustc_hash::FxHashMap;
@@ -116,7 +116,7 @@ impl<'u, 's> Writer<'u, 's> {
                     writer.put(" AT ");
                     writer.capitals(location.text);
                 }
-                writer.declared(&group.specification, group.initializer.as_ref());
+                writer.declared(&group.specification, group.edge, group.initializer.as_ref());
             }
         });
     }
@@ -131,20 +131,24 @@ impl<'u, 's> Writer<'u, 's> {
                     writer.put(" EXTENDS ");
                     writer.type_name(&base);
                 }
-                writer.declared(&declared.specification, declared.initializer.as_ref());
+                writer.declared(&declared.specification, None, declared.initializer.as_ref());
             }
         });
         self.line("END_TYPE");
     }
 
-    /// Writes the type and the initial value behind the name in a declaration.
+    /// Writes the type, the edge qualifier and the initial value behind the name in a declaration.
     fn declared(
         &mut self,
         specification: &'u TypeSpecification<'s>,
+        edge: Option<Edge>,
         initializer: Option<&'u Initializer<'s>>,
     ) {
         self.put(" : ");
         self.specification(specification);
+        if let Some(edge) = edge {
+            self.out.extend([" ", edge.as_str()]);
+        }
         if let Some(initializer) = initializer {
             self.put(" := ");
             self.initializer(initializer, NameShape::Typed(specification));
@@ -176,6 +180,14 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" OF ");
                 self.specification(element);
             }
+            TypeSpecificationKind::VariableLengthArray { dimensions, element } => {
+                self.put("ARRAY");
+                self.between_brackets(|writer| {
+                    writer.list(0..*dimensions, |writer, _| writer.put("*"));
+                });
+                self.put(" OF ");
+                self.specification(element);
+            }
             TypeSpecificationKind::Pointer { form, target } => {
                 self.put(form.as_str());
                 self.put(" ");
@@ -196,12 +208,15 @@ impl<'u, 's> Writer<'u, 's> {
                 });
                 self.put(")");
             }
-            TypeSpecificationKind::Structure(fields) => {
-                self.put("STRUCT");
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                let is_union = matches!(specification.kind, TypeSpecificationKind::Union(_));
+                let word = ["STRUCT", "UNION"][usize::from(is_union)];
+                self.put(word);
                 self.end();
                 self.groups(fields);
                 self.begin();
-                self.put("END_STRUCT");
+                self.put("END_");
+                self.put(word);
             }
             TypeSpecificationKind::Error => {}
         }

@@ -42,6 +42,11 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put("^");
                 return of;
             }
+            ExpressionKind::Assigned { target, value } => {
+                self.expression(*target);
+                self.put(" := ");
+                self.expression(*value);
+            }
             ExpressionKind::Bit { base, index } => {
                 self.expression(*base);
                 self.put(".");

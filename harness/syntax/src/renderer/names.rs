@@ -185,7 +185,9 @@ impl<'u, 's> Names<'u, 's> {
     pub(super) fn element(&self, of: NameShape<'u, 's>) -> NameShape<'u, 's> {
         match self.resolve(of) {
             NameShape::Typed(TypeSpecification {
-                kind: TypeSpecificationKind::Array { element, .. },
+                kind:
+                    TypeSpecificationKind::Array { element, .. }
+                    | TypeSpecificationKind::VariableLengthArray { element, .. },
                 ..
             }) => NameShape::Typed(element),
             _ => NameShape::Unknown,

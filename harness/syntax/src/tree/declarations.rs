@@ -207,8 +207,20 @@ pub struct VariableGroup<'s> {
     pub location: Option<Name<'s>>,
     /// Their common type.
     pub specification: TypeSpecification<'s>,
+    /// The edge of the input that the block sees in its place.
+    pub edge: Option<Edge>,
     /// Their common initial value.
     pub initializer: Option<Initializer<'s>>,
+}
+
+words! {
+    /// The edge qualifier of an input.
+    Edge {
+        /// R_EDGE: TRUE in the call in which the input becomes TRUE.
+        Rising = "R_EDGE",
+        /// F_EDGE: TRUE in the call in which the input becomes FALSE.
+        Falling = "F_EDGE",
+    }
 }
 
 impl VariableGroup<'_> {
@@ -267,6 +279,13 @@ pub enum TypeSpecificationKind<'s> {
         /// The elements' type.
         element: Box<TypeSpecification<'s>>,
     },
+    /// `ARRAY[*, …] OF element`: a parameter that takes arrays of any limits.
+    VariableLengthArray {
+        /// The number of dimensions.
+        dimensions: u32,
+        /// The elements' type.
+        element: Box<TypeSpecification<'s>>,
+    },
     /// `REF_TO target`, `POINTER TO target` or `REFERENCE TO target`.
     Pointer {
         /// The words in front of the type.
@@ -283,6 +302,8 @@ pub enum TypeSpecificationKind<'s> {
     },
     /// `STRUCT … END_STRUCT`.
     Structure(Vec<VariableGroup<'s>>),
+    /// `UNION … END_UNION`.
+    Union(Vec<VariableGroup<'s>>),
     /// A type that could not be read, or that names something that is not implemented; a diagnostic has been
     /// given, and nothing more is said about what is declared with it.
     Error,

@@ -95,6 +95,13 @@ pub enum ExpressionKind<'s> {
         /// The right operand.
         right: ExpressionId,
     },
+    /// `target := value` as a value: in parentheses, and behind `:=`.
+    Assigned {
+        /// The variable written, whose value the expression has then.
+        target: ExpressionId,
+        /// The value.
+        value: ExpressionId,
+    },
     /// `(inner)`.
     Parenthesized(ExpressionId),
     /// An expression that could not be read; a diagnostic has been given, and nothing more is said about it.
