@@ -66,3 +66,4 @@ pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};
 pub use folder::Reports;
 pub use overview::Overview;
+pub use sarif::diagnostics_as_sarif;
