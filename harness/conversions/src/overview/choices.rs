@@ -48,6 +48,19 @@ pub fn any(signature: &Signature) -> bool {
     !topics(signature).is_empty()
 }
 
+/// Returns the rules that matter for a signature: what each is about, as in `rounding`, and each choice with the dialects that make it.
+#[must_use]
+pub fn rules(
+    signature: &Signature,
+    dialects: &[DialectName],
+) -> Vec<(String, Vec<(String, Vec<DialectName>)>)> {
+    let of_topic = |topic: Topic| {
+        let choices = choices(&topic, signature, dialects);
+        (topic.label, choices)
+    };
+    topics(signature).into_iter().map(of_topic).collect()
+}
+
 /// Returns each choice of a topic with the dialects that make it, in the order of the dialects.
 fn choices(
     topic: &Topic,
@@ -156,18 +169,18 @@ fn modulo(_: &ConversionChoices, signature: &Signature) -> String {
 
 fn reading(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.text_reading {
-        TextReading::WholeText => "the to.is_whole() text, blanks around it aside, must be a number; otherwise 0",
+        TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
         TextReading::WholeTextInRange => {
-            "the to.is_whole() text, blanks around it aside, must be a number that the type holds; otherwise 0"
+            "the whole text, blanks around it aside, must be a number that the type holds; otherwise 0"
         }
         TextReading::LeadingDigits => {
             "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
         }
         TextReading::WholeLiteral => {
-            "the to.is_whole() text, white space around it aside, must be a literal; otherwise 0"
+            "the whole text, white space around it aside, must be a literal; otherwise 0"
         }
         TextReading::LooseDigits => {
-            "the to.is_whole() text, underscores and blanks aside, must be a number; otherwise 0"
+            "the whole text, underscores and blanks aside, must be a number; otherwise 0"
         }
         TextReading::LeadingFixedPoint => {
             "the decimal number at the beginning, without an exponent; otherwise 0"

@@ -8,7 +8,7 @@ mod builder;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
 use crate::contradictions::Contradictions;
-pub use builder::StatementsBuilder;
+pub use builder::{StatedFunction, StatementsBuilder};
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;

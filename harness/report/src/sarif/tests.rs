@@ -2,8 +2,9 @@
 
 use super::{json, uri};
 use crate::overview::MAX_KEPT_FAILURES;
-use crate::{sample, schema_check};
+use crate::sample;
 use serde_json::Value;
+use stickler_mdtest::schema as schema_check;
 use stickler_run::Verdict;
 
 /// The part of the public schema of SARIF that a report uses. It knows no other key.
