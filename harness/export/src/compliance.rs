@@ -211,8 +211,7 @@ fn conversion(
     let expected = function.expected(0, dialect);
     let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
     let rules = rules(signature, &[dialect]).into_iter();
-    let effects =
-        rules.flat_map(|(about, of)| of.into_iter().map(move |(rule, _)| format!("{about}: {rule}")));
+    let effects: Vec<String> = rules.map(|(about, rule, _)| format!("{about}: {rule}")).collect();
     let (mut measured, mut example) = ("not asked".to_owned(), String::new());
     if let Some(session) = session {
         let got = session.results(dialect, signature, calls);
@@ -246,7 +245,7 @@ fn conversion(
     let stated = format!("{stated} of {}", calls.len());
     vec![
         name,
-        effects.collect::<Vec<_>>().join("; "),
+        effects.join("; "),
         stated,
         measured,
         example,

@@ -143,12 +143,10 @@ pub(crate) fn declared_by(feature: &Feature, dialect: DialectName, suite: &Suite
 fn conversion(signature: &Signature, dialects: &[DialectName]) -> Value {
     let names = |dialects: &[DialectName]| dialects.iter().map(|of| of.as_str()).collect::<Vec<_>>();
     let mut lines = Vec::new();
-    for (about, choices) in rules(signature, dialects) {
-        for (rule, mut systems) in choices {
-            let all = systems.clone();
-            systems.retain(|of| !of.is_variant() || !all.contains(&of.base()));
-            lines.push(json!({ "about": about, "rule": rule, "systems": names(&systems) }));
-        }
+    for (about, rule, mut systems) in rules(signature, dialects) {
+        let all = systems.clone();
+        systems.retain(|of| !of.is_variant() || !all.contains(&of.base()));
+        lines.push(json!({ "about": about, "rule": rule, "systems": names(&systems) }));
     }
     json!({
         "operands": signature.operands.iter().map(|ty| ty.name()).collect::<Vec<_>>(),

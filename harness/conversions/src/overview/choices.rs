@@ -48,17 +48,14 @@ pub fn any(signature: &Signature) -> bool {
     !topics(signature).is_empty()
 }
 
-/// Returns the rules that matter for a signature: what each is about, as in `rounding`, and each choice with the dialects that make it.
+/// Returns the rules that matter for a signature: what each is about, as in `rounding`, the rule in words, and the dialects that have it.
 #[must_use]
-pub fn rules(
-    signature: &Signature,
-    dialects: &[DialectName],
-) -> Vec<(String, Vec<(String, Vec<DialectName>)>)> {
+pub fn rules(signature: &Signature, dialects: &[DialectName]) -> Vec<(String, String, Vec<DialectName>)> {
     let of_topic = |topic: Topic| {
-        let choices = choices(&topic, signature, dialects);
-        (topic.label, choices)
+        let choices = choices(&topic, signature, dialects).into_iter();
+        choices.map(move |(rule, choosers)| (topic.label.clone(), rule, choosers))
     };
-    topics(signature).into_iter().map(of_topic).collect()
+    topics(signature).into_iter().flat_map(of_topic).collect()
 }
 
 /// Returns each choice of a topic with the dialects that make it, in the order of the dialects.

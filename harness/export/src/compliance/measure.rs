@@ -5,11 +5,11 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineSession, Observation, Outcome, RunRequest};
 use stickler_run::{Event, Fact, Plan, RunError, Verdict, clip_line};
-use stickler_suite::{Case, Feature, Suite};
+use stickler_suite::{Acceptance, Case, Feature, Suite};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, WorkerPool};
 
-/// The maximum number of cases that are run for a feature, those with the fewest other features first.
+/// The maximum number of cases that are run for a feature: those first that must be accepted, and of them those with the fewest features.
 const MAX_CASES: usize = 4;
 
 /// The maximum length of what a message is quoted of, in characters.
@@ -81,14 +81,14 @@ impl MeasuredFeatures {
         Ok(measured)
     }
 
-    /// Returns for each feature that the engine has the cases of the dialect that use it and the fewest others, each with their number.
+    /// Returns for each feature that the engine has the cases of the dialect that use it and the fewest others, each with its rank.
     ///
     /// # Errors
     /// No threads.
     fn choose<'a>(
         &self,
         plan: &CompliancePlan<'a>,
-    ) -> Result<BTreeMap<String, Vec<(usize, &'a Case)>>, RunError> {
+    ) -> Result<BTreeMap<String, Vec<((bool, usize), &'a Case)>>, RunError> {
         let cases = plan
             .suite
             .cases
@@ -97,15 +97,15 @@ impl MeasuredFeatures {
         let cases: Vec<&Case> = cases.collect();
         let features = |(): &mut (), case: &&Case| Ok::<_, RunError>(case.features());
         let used = WorkerPool::new(0).map(cases.iter(), || Ok(()), features)?;
-        let mut chosen: BTreeMap<String, Vec<(usize, &Case)>> = BTreeMap::new();
+        let mut chosen: BTreeMap<String, Vec<((bool, usize), &Case)>> = BTreeMap::new();
         for (case, used) in cases.into_iter().zip(&used) {
             for key in used
                 .iter()
                 .filter(|key| self.0.get(&***key).is_some_and(|(word, _)| *word == "has"))
             {
                 let best = chosen.entry(key.to_string()).or_default();
-                best.push((used.len(), case));
-                best.sort_by_key(|(features, _)| *features);
+                best.push(((case.expectation.accepted == Acceptance::Rejected, used.len()), case));
+                best.sort_by_key(|(rank, _)| *rank);
                 best.truncate(MAX_CASES);
             }
         }
