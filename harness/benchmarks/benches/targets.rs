@@ -8,7 +8,7 @@ use std::{fs, io};
 use stickler_generate::oracles::FuzzTarget;
 
 fn corpora(criterion: &mut Criterion) {
-    for &target in FuzzTarget::ALL {
+    for target in FuzzTarget::ALL {
         let folder = Path::new("../../corpus").join(target.as_str());
         let inputs = inputs(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         assert!(

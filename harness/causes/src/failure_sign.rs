@@ -221,14 +221,10 @@ fn size(program: &str) -> &'static str {
 
 /// Returns the number that a value is: of a duration or a date its count; `None` for a text and for no number.
 fn number(value: &Value) -> Option<f64> {
+    if let Some(real) = value.real() {
+        return (!real.is_nan()).then_some(real);
+    }
     match value {
-        Value::Plain { ty, raw } if ty.is_real() => {
-            let real = match ty.bits() {
-                32 => f64::from(f32::from_bits(*raw as u32)),
-                _ => f64::from_bits(*raw),
-            };
-            (!real.is_nan()).then_some(real)
-        }
         Value::Plain { ty, raw } if ty.family() == Family::Signed || ty.is_duration() => {
             Some(raw.cast_signed() as f64)
         }

@@ -115,20 +115,11 @@ fn declared_in_empty(program: &ReadProgram<'_, '_>, code: &str) -> Vec<String> {
 
 /// Returns the enumeration that has a value of this name, as it is declared.
 fn enumeration_of(program: &ReadProgram<'_, '_>, value: &str) -> Option<String> {
-    let types = program
-        .unit
-        .declarations
-        .iter()
-        .filter_map(|declaration| match declaration {
-            Declaration::Types(types) => Some(types),
-            _ => None,
-        });
-    let mut types = types.flatten();
     let has_value = |one: &&TypeDeclaration<'_>| match &one.specification.kind {
         TypeSpecificationKind::Enumeration { values, .. } => values.iter().any(|(name, _)| name.is(value)),
         _ => false,
     };
-    let declared = types.find(has_value)?;
+    let declared = program.unit.types().find(has_value)?;
     let written = written_type(program, &declared.specification, None)?;
     Some(format!("{} : {written}", declared.name.text))
 }

@@ -212,10 +212,7 @@ impl WrongNumber<'_, '_, '_> {
         };
         let types = valued_types(self.program.text).into_iter();
         let mut others = types.filter(|other| *other != ty && (other.is_real() || ty.is_real()));
-        let is_nan = |bits: u64| match ty.bits() {
-            32 => f32::from_bits(bits as u32).is_nan(),
-            _ => f64::from_bits(bits).is_nan(),
-        };
+        let is_nan = |bits: u64| ty.real_value(bits).is_some_and(f64::is_nan);
         let has_bits = |other: ElementaryType| {
             let mut values = self.amounts().flat_map(|amount| [amount, -amount]);
             values.any(|value| {
@@ -227,8 +224,7 @@ impl WrongNumber<'_, '_, '_> {
                 };
                 // The amounts of literals have 53 bits.
                 let near = if value.abs() < 2_f64.powi(53) { 0 } else { 2048 };
-                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near
-                    || ty.is_real() && is_nan(bits) && is_nan(got)
+                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near || is_nan(bits) && is_nan(got)
             })
         };
         self.conversions().next().is_none() && others.any(has_bits)

@@ -6,8 +6,8 @@ use std::ops::Deref;
 use stickler_syntax::names::{DeclaredKind, DeclaredName, declared};
 use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{
-    Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou,
-    PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    Argument, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind,
+    SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
     UnaryOperator, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::{Context, Place, Visitor, walk};
@@ -196,11 +196,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the declaration of a type of one's own.
     pub(crate) fn declared_type(&self, name: &str) -> Option<&'t TypeDeclaration<'s>> {
-        let types = self.program.unit.declarations.iter().filter_map(|one| match one {
-            Declaration::Types(types) => Some(types),
-            _ => None,
-        });
-        types.flatten().find(|one| one.name.is(name))
+        self.program.unit.types().find(|one| one.name.is(name))
     }
 
     /// Returns the type with which the variable, the field or the result is declared that an expression is.

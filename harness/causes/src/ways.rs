@@ -74,7 +74,7 @@ pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<Str
         let swapped = format!(
             "{} {} {}",
             program.text(right),
-            operator.symbol(),
+            operator.as_str(),
             program.text(left)
         );
         is_mixed.then(|| Edits::replacing(part.expression.span, swapped).apply(program.text))
@@ -159,7 +159,7 @@ pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
         let text = format!(
             "{} {} {}",
             program.text(right),
-            turned.symbol(),
+            turned.as_str(),
             program.text(left)
         );
         let is_mixed = compares(operator) && types.0 != types.1;

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_types::dialect::PartialAccess;
-use stickler_types::{Dialect, DialectName, ElementaryType, Family};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, distinct};
 
 /// Rules by which a program of any dialect is read. Comments do not nest, so that the ends of those that stand in others are left, by
 /// which they are seen.
@@ -73,13 +73,7 @@ pub(crate) fn words_in_use(text: &str) -> Vec<&str> {
 
 /// Returns the names of the elementary types among words, each once, in their order.
 pub(crate) fn types_among<'w>(words: impl IntoIterator<Item = &'w str>) -> Vec<&'static str> {
-    let mut found = Vec::new();
-    for ty in words.into_iter().filter_map(elementary) {
-        if !found.contains(&ty.name()) {
-            found.push(ty.name());
-        }
-    }
-    found
+    distinct(words.into_iter().filter_map(elementary).map(ElementaryType::name))
 }
 
 /// Returns the names of the elementary types that a program names, each once, in the order of the text.

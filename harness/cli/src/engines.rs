@@ -233,7 +233,7 @@ pub fn seek(name: &str, called: &str, configuration: &ConfigurationFile) -> Opti
             engine: start((line, reproduce.as_deref()), called, configuration),
         },
         Some(EngineKind::Described(description)) => described(called, description, configuration),
-        None => Compiler::from_name(name)?.seek(called, name, &DependencyPaths::default()),
+        None => Compiler::from_word(name)?.seek(called, name, &DependencyPaths::default()),
     })
 }
 
@@ -266,7 +266,7 @@ fn described(called: &str, description: &Description, configuration: &Configurat
 pub fn names(configuration: &ConfigurationFile) -> Vec<&str> {
     let own = configuration.engines().map(|(name, _)| name);
     let mut names: Vec<&str> = std::iter::once(REFERENCE).chain(own).collect();
-    let others = Compiler::ALL.map(Compiler::name).into_iter();
+    let others = Compiler::ALL.map(Compiler::as_str).into_iter();
     names.extend(others.filter(|name| configuration.engine(name).is_none()));
     names
 }

@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 use stickler_campaign::CampaignError;
+use stickler_conversions::sweep::foreign::ForeignError;
 use stickler_engines::EngineError;
 use stickler_run::{RunError, Totals, Verdict};
 
@@ -118,6 +119,7 @@ pub fn of_error(error: &anyhow::Error) -> Exit {
         Some(RunError::Engine(_) | RunError::RejectsAll { .. } | RunError::Workers(_)) => Exit::EngineNotRun,
         None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() => Exit::EngineNotRun,
         None if error.is::<EngineError>() || error.is::<CampaignError>() => Exit::EngineNotRun,
+        None if error.is::<ForeignError>() => Exit::EngineNotRun,
         None => Exit::Usage,
     }
 }
@@ -161,7 +163,22 @@ pub fn listing() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::Exit;
+    use super::*;
+
+    #[test]
+    fn an_engine_that_cannot_be_started_has_one_exit_code_whichever_command_needs_it() {
+        let not_started = || EngineError::NotStarted {
+            engine: "none".to_owned(),
+            reason: "it is not here".to_owned(),
+        };
+        let errors: [anyhow::Error; 4] = [
+            not_started().into(),
+            RunError::from(not_started()).into(),
+            CampaignError::from(not_started()).into(),
+            ForeignError::from(not_started()).into(),
+        ];
+        assert!(errors.iter().all(|error| of_error(error) == Exit::EngineNotRun));
+    }
 
     #[test]
     fn what_kept_a_command_from_its_work_outranks_what_the_work_found() {

@@ -1,7 +1,7 @@
 //! Chooses which program of a text runs.
 
 use anyhow::ensure;
-use stickler_syntax::tree::{Declaration, PouKind};
+use stickler_syntax::tree::PouKind;
 use stickler_types::{Dialect, DialectName};
 
 /// Returns a text with a configuration that runs a PROGRAM, in place of those that it has; their global variables stay where they are.
@@ -18,10 +18,7 @@ pub fn running(text: &str, name: &str, dialect: DialectName) -> anyhow::Result<S
     let mut running = String::with_capacity(text.len());
     let blank = |text: &str| text.replace(|character| character != '\n', " ");
     let mut at = 0;
-    for declaration in &unit.declarations {
-        let Declaration::Configuration(configuration) = declaration else {
-            continue;
-        };
+    for configuration in unit.configurations() {
         running.push_str(&text[at..configuration.span.start as usize]);
         at = configuration.span.start as usize;
         for globals in &configuration.globals {

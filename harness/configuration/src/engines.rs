@@ -133,17 +133,17 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), ConfigurationMistak
 /// Returns the compiler whose adapter the engine uses: the one that its key `adapter` or else its own name states.
 fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, ConfigurationMistake> {
     let Some(value) = keys.get("adapter") else {
-        return Ok(Compiler::from_name(name));
+        return Ok(Compiler::from_word(name));
     };
     let adapter = text("adapter", value)?;
     let unknown = || {
-        let all = list(Compiler::ALL.map(Compiler::name));
+        let all = list(Compiler::ALL.map(Compiler::as_str));
         ConfigurationMistake::at(
             value.span(),
             format!("there is no adapter `{adapter}`; there are {all}"),
         )
     };
-    Compiler::from_name(adapter).map(Some).ok_or_else(unknown)
+    Compiler::from_word(adapter).map(Some).ok_or_else(unknown)
 }
 
 /// Reads the paths of a compiler's programs from its table.
@@ -154,7 +154,7 @@ fn places(
     place: TableContext<'_>,
 ) -> Result<DependencyPaths, ConfigurationMistake> {
     let mut places = DependencyPaths::default();
-    if name != compiler.name() {
+    if name != compiler.as_str() {
         places = places.without_variables();
     }
     let known: Vec<&str> = compiler
@@ -171,7 +171,7 @@ fn places(
             word => {
                 let whose = format!(
                     "of `[engines.{name}]`, which has the adapter `{}`",
-                    compiler.name()
+                    compiler.as_str()
                 );
                 return Err(ConfigurationMistake::unknown_key(
                     key.span(),
@@ -216,7 +216,7 @@ fn says_nothing(name: &str, span: Range<usize>) -> ConfigurationMistake {
     let message = format!(
         "`[engines.{name}]` does not say what the engine is: by `command = \"…\"` a program that speaks the wire protocol, \
          by `adapter = \"…\"` one of {}, or by `check = \"…\"` and further keys a compiler that is described here",
-        list(Compiler::ALL.map(Compiler::name))
+        list(Compiler::ALL.map(Compiler::as_str))
     );
     ConfigurationMistake::at(span, message)
 }

@@ -256,7 +256,7 @@ mod tests {
         };
         let dialects = [DialectName::MATIEC, DialectName::IRONPLC_ED2];
         let reference = Reference::default();
-        let sections = RecordedSection::ALL;
+        let sections = &RecordedSection::ALL;
         let recording = Recording::ask(&reference, with_commit, &dialects, sections, 0, &|| {}).unwrap();
         let mut text = Vec::new();
         recording.write(&mut text).unwrap();

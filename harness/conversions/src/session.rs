@@ -127,9 +127,10 @@ impl<'e> FunctionSession<'e> {
         let (source, observe) = (program.source(), program.observations());
         let request = RunRequest::once(dialect, &source, &observe);
         // An engine that cannot be started again after a crash refuses all that follows.
-        let outcome = self.0.run(&request).unwrap_or_else(|error| Outcome::Crashed {
-            reason: error.to_string(),
-        });
+        let outcome = self
+            .0
+            .run(&request)
+            .unwrap_or_else(|error| Outcome::crashed(error.to_string()));
         values(outcome, program)
     }
 

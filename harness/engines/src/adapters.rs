@@ -35,47 +35,24 @@ pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
 use rusty::Rusty;
+use stickler_types::words;
 use strucpp::Strucpp;
 
-/// A compiler for which there is an adapter.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Compiler {
-    /// IronPLC: `ironplcc` and `ironplcvm`.
-    Ironplc,
-    /// matiec: `iec2c` and a C compiler.
-    Matiec,
-    /// RuSTy: `plc` and a C compiler.
-    Rusty,
-    /// STruC++: `strucpp`, Node and a C++ compiler.
-    Strucpp,
+words! {
+    /// A compiler for which there is an adapter.
+    Compiler {
+        /// IronPLC: `ironplcc` and `ironplcvm`.
+        Ironplc = "ironplc",
+        /// matiec: `iec2c` and a C compiler.
+        Matiec = "matiec",
+        /// RuSTy: `plc` and a C compiler.
+        Rusty = "rusty",
+        /// STruC++: `strucpp`, Node and a C++ compiler.
+        Strucpp = "strucpp",
+    }
 }
 
 impl Compiler {
-    /// Every compiler, by name.
-    pub const ALL: [Compiler; 4] = [
-        Compiler::Ironplc,
-        Compiler::Matiec,
-        Compiler::Rusty,
-        Compiler::Strucpp,
-    ];
-
-    /// Returns the name of the engine.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Compiler::Ironplc => "ironplc",
-            Compiler::Matiec => "matiec",
-            Compiler::Rusty => "rusty",
-            Compiler::Strucpp => "strucpp",
-        }
-    }
-
-    /// Returns the compiler of this name, if there is one.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Compiler> {
-        Compiler::ALL.into_iter().find(|compiler| compiler.name() == name)
-    }
-
     /// Returns the address of the compiler's project, which says how it is installed.
     #[must_use]
     pub fn project(self) -> &'static str {

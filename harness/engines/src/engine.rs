@@ -2,9 +2,8 @@
 
 use crate::{Grade, NoReproduction, Reproduction};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::path::PathBuf;
-use stickler_types::{Code, DialectName, Outcome, RunRequest};
+use stickler_types::{Code, DialectName, Outcome, RunRequest, words};
 
 /// An implementation that runs programs: the reference, or a real compiler behind an adapter.
 ///
@@ -136,30 +135,21 @@ impl Identity {
     }
 }
 
-/// An ability of an engine.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum Ability {
-    /// The ability to say whether a program is accepted, and why not.
-    Check,
-    /// The ability to execute programs and report values.
-    Execute,
-    /// The ability to render a program as normalised source.
-    Render,
-    /// The ability to execute several scans, with a clock and inputs set between them, and to observe values after each scan;
-    /// see [`RunRequest::needs_scans`].
-    Scans,
-}
-
-impl fmt::Display for Ability {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Ability::Check => "check",
-            Ability::Execute => "execute",
-            Ability::Render => "render",
-            Ability::Scans => "scans",
-        })
+words! {
+    /// An ability of an engine.
+    #[derive(Serialize, Deserialize)]
+    #[cfg_attr(test, derive(schemars::JsonSchema))]
+    #[serde(rename_all = "lowercase")]
+    Ability {
+        /// The ability to say whether a program is accepted, and why not.
+        Check = "check",
+        /// The ability to execute programs and report values.
+        Execute = "execute",
+        /// The ability to render a program as normalised source.
+        Render = "render",
+        /// The ability to execute several scans, with a clock and inputs set between them, and to observe values after each scan;
+        /// see [`RunRequest::needs_scans`].
+        Scans = "scans",
     }
 }
 

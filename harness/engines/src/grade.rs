@@ -1,50 +1,33 @@
 //! Grades: how exactly an engine can say what is wrong with a program.
 
 use serde::{Deserialize, Serialize};
-use std::fmt;
 use std::str::FromStr;
+use stickler_types::words;
 
-/// The degree to which a rejection or a fault is right, the best first.
-///
-/// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
-/// cannot map them onto those of the registry, is right to the line at best.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(any(test, feature = "schema"), derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum Grade {
-    /// The right codes on the right lines, and no others.
-    #[default]
-    Code,
-    /// The right lines, and no others.
-    Line,
-    /// Rejected, the place unknown or wrong.
-    Rejected,
+words! {
+    /// The degree to which a rejection or a fault is right, the best first.
+    ///
+    /// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
+    /// cannot map them onto those of the registry, is right to the line at best.
+    #[derive(Default, Serialize, Deserialize)]
+    #[cfg_attr(any(test, feature = "schema"), derive(schemars::JsonSchema))]
+    #[serde(rename_all = "lowercase")]
+    Grade {
+        /// The right codes on the right lines, and no others.
+        #[default]
+        Code = "code",
+        /// The right lines, and no others.
+        Line = "line",
+        /// Rejected, the place unknown or wrong.
+        Rejected = "rejected",
+    }
 }
 
 impl Grade {
-    /// Every grade, the best first.
-    pub const ALL: [Grade; 3] = [Grade::Code, Grade::Line, Grade::Rejected];
-
-    /// Returns the word for the grade, such as `code`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Grade::Code => "code",
-            Grade::Line => "line",
-            Grade::Rejected => "rejected",
-        }
-    }
-
     /// Tells whether this grade is as good as `needed`, or better.
     #[must_use]
     pub fn suffices(self, needed: Grade) -> bool {
         self <= needed
-    }
-}
-
-impl fmt::Display for Grade {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.pad(self.as_str())
     }
 }
 
@@ -53,8 +36,8 @@ impl FromStr for Grade {
 
     /// Parses `code`, `line` or `rejected`; the error lists them.
     fn from_str(text: &str) -> Result<Grade, String> {
-        let named = Grade::ALL.into_iter().find(|grade| grade.as_str() == text);
-        named.ok_or_else(|| format!("unknown grade `{text}`; the grades are `code`, `line` and `rejected`"))
+        Grade::from_word(text)
+            .ok_or_else(|| format!("unknown grade `{text}`; the grades are `code`, `line` and `rejected`"))
     }
 }
 

@@ -7,12 +7,14 @@
 //! - [`Reference`]: the reference implementation, in this process;
 //! - [`Compiler`]: the real compilers for which there is an adapter;
 //! - [`DescribedEngine`]: a compiler whose command line a table in `stickler.toml` describes;
+//! - [`ClosureEngine`]: the reference with planted defects;
 //! - [`ProcessEngine`]: any program that speaks the wire [`protocol`]; [`validate()`] checks one.
 //!
 //! Architecture Invariant: this crate knows neither cases nor verdicts nor reports.
 #![forbid(unsafe_code)]
 
 mod adapters;
+mod closures;
 mod digest;
 mod engine;
 mod grade;
@@ -28,6 +30,7 @@ pub use adapters::{
     Compiler, CompilerSearch, Dependency, DependencyPaths, DescribedEngine, Description, FoundBy,
     FoundDependency,
 };
+pub use closures::ClosureEngine;
 pub use digest::Digest;
 pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
 pub use grade::Grade;

@@ -67,7 +67,8 @@ impl Engine for Reference {
 }
 
 /// A session of the reference, which keeps nothing between requests.
-struct ReferenceSession {
+#[derive(Default)]
+pub(crate) struct ReferenceSession {
     limits: reference::Limits,
 }
 

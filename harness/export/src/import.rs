@@ -381,9 +381,7 @@ fn noted(answer: ReportedOutcome, place: &str) -> Outcome {
     match answer {
         ReportedOutcome::Accepted => Outcome::ACCEPTED,
         ReportedOutcome::Rejected => rejected(format!("rejected, as noted at {place}")),
-        ReportedOutcome::Crashed => Outcome::Crashed {
-            reason: format!("as noted at {place}"),
-        },
+        ReportedOutcome::Crashed => Outcome::crashed(format!("as noted at {place}")),
     }
 }
 

@@ -6,28 +6,15 @@ use std::collections::BTreeSet;
 use stickler_run::breaks_reading;
 use stickler_suite::{Acceptance, Case, ExpectedValue};
 use stickler_syntax::ProgramParts;
-use stickler_types::{Dialect, ElementaryType, Value};
+use stickler_types::{Dialect, ElementaryType, Value, words};
 
-/// A kind of cases that an export may have beside those whose programs must be accepted.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum ExtraCases {
-    /// Cases of which no source in Stickler says whether their programs are accepted.
-    Open,
-    /// Cases whose programs must be rejected.
-    Rejected,
-}
-
-impl ExtraCases {
-    /// Every kind, in the order of the declaration.
-    pub const ALL: [ExtraCases; 2] = [ExtraCases::Open, ExtraCases::Rejected];
-
-    /// Returns the word by which the command line names the kind.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            ExtraCases::Open => "open",
-            ExtraCases::Rejected => "rejected",
-        }
+words! {
+    /// A kind of cases that an export may have beside those whose programs must be accepted.
+    ExtraCases {
+        /// Cases of which no source in Stickler says whether their programs are accepted.
+        Open = "open",
+        /// Cases whose programs must be rejected.
+        Rejected = "rejected",
     }
 }
 

@@ -6,8 +6,8 @@ use std::ops::Range;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, Name, Pou, SourceUnit,
-    Statement, StatementKind, TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
+    CaseLabel, Expression, ExpressionId, ExpressionKind, Initializer, Name, Pou, SourceUnit, Statement,
+    StatementKind, TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
 };
 use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
 use stickler_syntax::{Edits, Tokens, parse, tokens};
@@ -107,11 +107,7 @@ impl<'t> TextView<'t> {
 
     /// Returns the declarations of types.
     pub fn types(&self) -> impl Iterator<Item = &'t TypeDeclaration<'t>> {
-        let types = |declaration: &'t Declaration<'t>| match declaration {
-            Declaration::Types(types) => Some(types),
-            _ => None,
-        };
-        self.unit.declarations.iter().filter_map(types).flatten()
+        self.unit.types()
     }
 
     /// Returns the type of every variable, field and declared type, with the initial value beside it.

@@ -50,12 +50,13 @@ pub enum LayoutKind {
 /// A variable that has an address.
 #[derive(Clone, Copy, Debug)]
 pub struct MemoryObject {
-    /// Its first cell.
+    /// The first cell of the variable.
     pub cell: Address,
-    /// Its layout.
+    /// The layout of the variable in bytes.
     pub layout: LayoutId,
-    /// The body of the function that it belongs to, outside of which it does not exist. `None` for a variable that always exists.
-    pub frame: Option<RoutineId>,
+    /// The body of the function that it belongs to, and what gives its inputs their defaults; it does not exist outside of these. `None`
+    /// for a variable that always exists.
+    pub frame: Option<[RoutineId; 2]>,
 }
 
 /// The units of offsets, as indices of pairs of them.
@@ -80,6 +81,13 @@ impl AddressMap {
         let object = *self.objects.get(index)?;
         let (layout, cells, within) = self.descend(object.layout, address as u32, BYTES, Some(wanted))?;
         Some((object, layout, object.cell + cells, within))
+    }
+
+    /// Returns the offset in bytes of the part of a value that lies at an offset in cells.
+    #[must_use]
+    pub fn offset_in_bytes(&self, layout: LayoutId, cells: u32) -> u32 {
+        self.descend(layout, cells, CELLS, None)
+            .map_or(0, |(_, bytes, _)| bytes)
     }
 
     /// Goes down to the part at an offset in one unit; gives its layout, its offset in the other unit, and what is left of the offset.

@@ -106,6 +106,12 @@ pub enum Instruction {
         unsigned: bool,
     },
 
+    /// Pops an address, a subscript, the lowest and the highest subscript, and the stride; does what `Subscript` does with these.
+    SubscriptWithin {
+        /// Whether the subscript's raw form is unsigned.
+        unsigned: bool,
+    },
+
     /// Pushes the content of an absolute cell.
     Load(Address),
     /// Pops an address, pushes the cell's content.
@@ -141,6 +147,10 @@ pub enum Instruction {
     Peek(LayoutId),
     /// Pops an address in bytes and a plain value; stores it there.
     Poke(LayoutId),
+    /// Pops an address in bytes, of a part of a union, and that of a cell; copies the value of this layout from the one to the other.
+    Gather(LayoutId),
+    /// Pops the same; copies the value in the cells to the address in bytes.
+    Scatter(LayoutId),
 
     /// Pops a value, pushes a part of its bits as a BOOL or a bit string.
     Part(Part),

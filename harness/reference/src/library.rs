@@ -24,7 +24,7 @@ const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 /// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented.
 ///
 /// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
-const NOT_IMPLEMENTED: &str = "BITADR INDEXOF LOWER_BOUND RTC TEST_AND_SET UPPER_BOUND XSIZEOF";
+const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {
@@ -77,6 +77,11 @@ pub(crate) fn with_blocks(
     let clocks = clocks.map(|(ty, clock)| format!("VAR_GLOBAL {clock} : {}; END_VAR", ty.name()));
     let added: Vec<String> = clocks.chain(blocks.iter().cloned()).collect();
     (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
+}
+
+/// Returns whether a name is that of a standard function block, of whose variables only inputs and outputs are known to programs.
+pub(crate) fn has_block(name: &str) -> bool {
+    block(&name.to_ascii_uppercase(), &Dialect::DEFAULT).is_some()
 }
 
 /// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`, as a dialect has it; `None` for

@@ -33,6 +33,7 @@ mod inferred;
 mod initializers;
 mod invocations;
 mod layout;
+mod limits;
 mod listing;
 mod literals;
 mod locations;

@@ -18,29 +18,27 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
+use stickler_types::words;
 
 /// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
 /// all texts.
 pub const MAX_DETAILED: usize = 1000;
 
-/// The kind of change of a case; the gravest comes first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// The engine crashed or gave no answer in time, and did not before.
-    Crashed,
-    /// The engine no longer does what a document states.
-    Broken,
-    /// The engine now does what a document states.
-    Fixed,
-    /// The engine does something else, neither better nor worse: another wrong value, or another value where none is
-    /// asserted.
-    Otherwise,
-}
-
-impl Kind {
-    /// Every kind, the gravest first.
-    pub const ALL: [Kind; 4] = [Kind::Crashed, Kind::Broken, Kind::Fixed, Kind::Otherwise];
+words! {
+    /// The kind of change of a case; the gravest comes first.
+    #[derive(Serialize)]
+    #[serde(rename_all = "lowercase")]
+    Kind {
+        /// The engine crashed or gave no answer in time, and did not before.
+        Crashed = "crashed",
+        /// The engine no longer does what a document states.
+        Broken = "broken",
+        /// The engine now does what a document states.
+        Fixed = "fixed",
+        /// The engine does something else, neither better nor worse: another wrong value, or another value where none is
+        /// asserted.
+        Otherwise = "otherwise",
+    }
 }
 
 /// A case of both runs with different results.

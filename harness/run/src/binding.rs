@@ -118,7 +118,7 @@ fn contradictions<'s>(
 /// Returns the version of an engine, if the claims of its makers are compared with it. The numbers of an engine for which Stickler has no adapter are
 /// its own, and say nothing of the compiler whose dialect it lists.
 fn compared(engine: Option<&Identity>) -> Option<&str> {
-    let known = engine.filter(|engine| Compiler::from_name(&engine.name).is_some())?;
+    let known = engine.filter(|engine| Compiler::from_word(&engine.name).is_some())?;
     Some(&known.version)
 }
 
@@ -141,7 +141,7 @@ fn is_own(
     engine: Option<&Identity>,
     suite: &Suite,
 ) -> bool {
-    match engine.filter(|engine| Compiler::from_name(&engine.name).is_some()) {
+    match engine.filter(|engine| Compiler::from_word(&engine.name).is_some()) {
         Some(compiler) => source.speaks_of(section, &compiler.name),
         None => suite.sources.are_about(source.dialects_of(section), dialect),
     }

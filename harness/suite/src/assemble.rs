@@ -29,8 +29,8 @@ struct TimedText {
 pub(crate) struct Assembler<'n> {
     expectation: Expectation,
     recorded: Vec<Observation>,
-    set: Vec<Setting>,
-    /// The clock settings, with the lines of their marks.
+    /// The settings of variables and of the clock, with the lines of their marks.
+    set: Vec<(u32, Setting)>,
     clock: Vec<(u32, ClockSetting)>,
     /// The texts of the marks `scan` and `scans`.
     timed: Vec<TimedText>,
@@ -157,11 +157,8 @@ impl<'n> Assembler<'n> {
                 if matches!(value, Value::Near { .. }) {
                     return Err(format!("a variable is set to one value, not to `{value}`"));
                 }
-                self.set.push(Setting {
-                    before: *before,
-                    name,
-                    value,
-                });
+                let before = *before;
+                self.set.push((self.line, Setting { before, name, value }));
             }
             MarkClaim::Clock { value, before } => {
                 let time = value.get(scratch, texts)?;
@@ -199,7 +196,7 @@ impl<'n> Assembler<'n> {
 
     /// Adds settings that do not come from a mark.
     pub(crate) fn settings(&mut self, set: &[Setting], clock: &[(u32, Value)]) {
-        self.set.extend_from_slice(set);
+        self.set.extend(set.iter().map(|set| (self.line, set.clone())));
         for (before, time) in clock {
             self.clock(*before, time.clone());
         }
@@ -216,9 +213,9 @@ impl<'n> Assembler<'n> {
     /// Reads the marks `scan` and `scans`, and holds all settings against the variables of a program; returns the last scan of these marks.
     fn timed(&mut self, source: &str) -> Result<u32, Mistake> {
         let variables = Variables::of(source);
-        for Setting { name, value, .. } in &self.set {
+        for (line, Setting { name, value, .. }) in &self.set {
             let fits = variables.value(name, &value.to_string());
-            fits.map_err(|message| Mistake::new(self.line, message))?;
+            fits.map_err(|message| Mistake::new(*line, message))?;
         }
         let mut last = 0;
         let mut names: FxHashMap<String, Arc<str>> = FxHashMap::default();
@@ -242,7 +239,7 @@ impl<'n> Assembler<'n> {
                 for (name, literal) in row.set {
                     let value = variables.value(name, literal).map_err(wrong)?;
                     let (before, name) = (row.scan, shared(name));
-                    self.set.push(Setting { before, name, value });
+                    self.set.push((self.line, Setting { before, name, value }));
                 }
                 for (name, literal) in row.expected {
                     let value = variables.value(name, literal).map_err(wrong)?;
@@ -287,12 +284,13 @@ impl<'n> Assembler<'n> {
         let observe = observed::all(&self.expectation.values, recorded, self.names).map_err(wrong)?;
         self.expectation.diagnostics.sort();
         self.expectation.warnings.sort();
-        self.set.sort_by_key(|set| set.before);
+        let mut set: Vec<Setting> = self.set.into_iter().map(|(_, set)| set).collect();
+        set.sort_by_key(|set| set.before);
         let clock = ascending(self.clock)?;
         Ok(Assembly {
             expectation: Arc::new(self.expectation),
             observe: shared(observe),
-            set: shared(self.set),
+            set: shared(set),
             clock: shared(clock),
             scans,
         })
@@ -302,7 +300,7 @@ impl<'n> Assembler<'n> {
     fn check_scans(&self, scans: u32) -> Result<(), String> {
         let values = self.expectation.values.iter().filter_map(|value| value.after);
         let recorded = self.recorded.iter().filter_map(|observe| observe.after);
-        let set = self.set.iter().map(|set| set.before);
+        let set = self.set.iter().map(|(_, set)| set.before);
         let clock = self.clock.iter().map(|(_, clock)| clock.before);
         if let Some(late) = values
             .chain(recorded)

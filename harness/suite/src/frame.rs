@@ -17,6 +17,7 @@ use crate::place::Lines;
 use crate::places::{Placement, Places};
 use crate::sources::Sources;
 use crate::table::Budget;
+use crate::timing::MAX_SCANS;
 use crate::toml_text::Scalar;
 
 /// A case file that is being expanded, with its text and the dialects of the suite.
@@ -180,7 +181,6 @@ impl FileContext<'_> {
 
 /// Checks the key `scans` and returns its value, if it is there and right.
 pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut Vec<Mistake>) -> Option<u32> {
-    const MAX_SCANS: u32 = 1_000_000;
     let scans = scans?;
     match *scans.get_ref() {
         number @ 1..=MAX_SCANS => Some(number),

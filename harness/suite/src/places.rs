@@ -10,7 +10,7 @@ mod read;
 use std::sync::Arc;
 
 use serde::Deserialize;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, words};
 use toml::Spanned;
 
 use crate::condition::Condition;
@@ -36,15 +36,16 @@ pub struct Places {
     plain: Vec<[usize; 3]>,
 }
 
-/// The part that a place has in a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// The place where a value comes from.
-    Source,
-    /// The place where a value goes to.
-    Target,
-    /// The statement or the body that is around both.
-    Surrounding,
+words! {
+    /// The part that a place has in a program, with its name in `places.toml`.
+    Role {
+        /// The place where a value comes from.
+        Source = "source",
+        /// The place where a value goes to.
+        Target = "target",
+        /// The statement or the body that is around both.
+        Surrounding = "surrounding",
+    }
 }
 
 /// One place. A text that it does not have is empty.
@@ -150,17 +151,6 @@ impl Placement {
     /// Returns the names of source, target and surrounding, as the id of a case has them.
     pub(crate) fn names(&self) -> [&str; 3] {
         [&self.source, &self.target, &self.surrounding]
-    }
-}
-
-impl Role {
-    /// Returns the role's name in `places.toml`.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Role::Source => "source",
-            Role::Target => "target",
-            Role::Surrounding => "surrounding",
-        }
     }
 }
 

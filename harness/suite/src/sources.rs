@@ -14,7 +14,7 @@ mod sections;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation, Versions};
+use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation, Versions, words};
 
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -100,44 +100,25 @@ pub enum ToldSymptom {
     NoPlace,
 }
 
-/// The kind of a source.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SourceKind {
-    /// A text that the publisher of a compiler or of a programming system gives out about it.
-    #[default]
-    Document,
-    /// A standard, which speaks for all compilers.
-    Standard,
-    /// The values or messages that a product of a named version was recorded to give.
-    Recording,
-    /// The answers of an open compiler of a named version, which anybody can build and ask again.
-    Measurement,
-    /// A decision of Stickler itself, where no public text says anything.
-    Rule,
+words! {
+    /// The kind of a source, with its name in `sources.toml` and in reports.
+    #[derive(Default)]
+    SourceKind {
+        /// A text that the publisher of a compiler or of a programming system gives out about it.
+        #[default]
+        Document = "document",
+        /// A standard, which speaks for all compilers.
+        Standard = "standard",
+        /// The values or messages that a product of a named version was recorded to give.
+        Recording = "recording",
+        /// The answers of an open compiler of a named version, which anybody can build and ask again.
+        Measurement = "measurement",
+        /// A decision of Stickler itself, where no public text says anything.
+        Rule = "rule",
+    }
 }
 
 impl SourceKind {
-    /// Every kind.
-    pub const ALL: [SourceKind; 5] = [
-        SourceKind::Document,
-        SourceKind::Standard,
-        SourceKind::Recording,
-        SourceKind::Measurement,
-        SourceKind::Rule,
-    ];
-
-    /// Returns the kind's name in `sources.toml` and in reports.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            SourceKind::Document => "document",
-            SourceKind::Standard => "standard",
-            SourceKind::Recording => "recording",
-            SourceKind::Measurement => "measurement",
-            SourceKind::Rule => "rule",
-        }
-    }
-
     /// Returns whether a source of this kind speaks for every dialect.
     const fn speaks_for_all(self) -> bool {
         matches!(self, SourceKind::Standard | SourceKind::Rule)

@@ -9,6 +9,8 @@ use stickler_types::{Dialect, ElementaryType, Value};
 
 use crate::near::suggestion;
 
+/// The greatest number of scans that a program runs.
+pub(crate) const MAX_SCANS: u32 = 1_000_000;
 /// The signs that separate what is set from what is expected.
 const ARROWS: [&str; 3] = ["→", "->", "|"];
 /// The name that stands for the simulated time among the variables.
@@ -57,10 +59,15 @@ pub(crate) fn one_scan(text: &str) -> Result<ScanRow<'_>, String> {
         scan: scan_number(number.trim())?,
         ..ScanRow::default()
     };
-    let arrow = ARROWS[..2].iter().find_map(|arrow| text.split_once(arrow));
-    let (set, expected) = arrow.unwrap_or((text, ""));
-    for (is_expected, part) in [(false, set), (true, expected)] {
-        for one in outside_quotes(part, ',')
+    let arrows = ARROWS[..2].iter();
+    let mut parts = arrows.map(|arrow| outside_quotes(text, arrow));
+    let parts = parts.find(|parts| parts.len() > 1);
+    let parts = parts.unwrap_or_else(|| vec![text]);
+    if parts.len() > 2 {
+        return Err(usage());
+    }
+    for (is_expected, part) in [false, true].into_iter().zip(parts) {
+        for one in outside_quotes(part, ",")
             .into_iter()
             .filter(|one| !one.trim().is_empty())
         {
@@ -136,22 +143,27 @@ pub(crate) fn scan_table(text: &str) -> Result<Vec<ScanRow<'_>>, (u32, String)> 
 /// # Errors
 /// A message.
 pub(crate) fn scan_number(text: &str) -> Result<u32, String> {
-    let number = text.parse::<u32>().ok().filter(|&number| number >= 1);
-    number.ok_or_else(|| format!("`{text}` is no scan; scans count from 1"))
+    let number = text.parse::<u32>().ok();
+    let number = number.filter(|number| (1..=MAX_SCANS).contains(number));
+    number.ok_or_else(|| format!("`{text}` is no scan; scans count from 1 to {MAX_SCANS}"))
 }
 
-/// Splits a text at a sign that stands in no quotes.
-fn outside_quotes(text: &str, sign: char) -> Vec<&str> {
-    let mut quote = None;
-    let parts = text.split(move |character: char| {
+/// Splits a text where a sign stands in no quotes.
+fn outside_quotes<'t>(text: &'t str, sign: &str) -> Vec<&'t str> {
+    let (mut parts, mut start, mut quote) = (Vec::new(), 0, None);
+    for (at, character) in text.char_indices() {
         match quote {
             Some(open) if open == character => quote = None,
             None if matches!(character, '\'' | '"') => quote = Some(character),
+            None if text[at..].starts_with(sign) => {
+                parts.push(&text[start..at]);
+                start = at + sign.len();
+            }
             _ => {}
         }
-        quote.is_none() && character == sign
-    });
-    parts.collect()
+    }
+    parts.push(&text[start..]);
+    parts
 }
 
 /// The variables of the main program of a text and its globals, by name, with the names of their types where they have one.

@@ -1,7 +1,7 @@
 //! The features of the language that a program uses, by their keys in `conformance-cases/features.toml`.
 //!
-//! What a program uses does not depend on the dialect, of which only the nesting of comments and names of its own are taken: a program with `.%X3`
-//! uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
+//! What a program uses does not depend on the dialect, of which only the nesting of comments and the names of types and functions
+//! are taken: a program with `.%X3` uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
 //! values are in nearly every program and are no features.
 
 mod expressions;
@@ -11,9 +11,9 @@ use crate::names::{DeclaredKind, declared};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Name, PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, CaseLabel, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name,
+    PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
@@ -76,9 +76,9 @@ pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
 /// A walk that notes features.
 struct FeatureFinder<'t, 's> {
     text: &'s str,
-    /// Of which the names of its own are taken.
+    /// The dialect, of which the names of types and functions are taken.
     dialect: &'t Dialect,
-    /// What the program declares, by name; of several of one name the last.
+    /// The kind of each declaration of the program by its name; of several of one name the last.
     declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
     /// The types with which variables and fields are declared, by name.
     types: FxHashMap<CaseFolded<'s>, &'t TypeSpecification<'s>>,
@@ -161,10 +161,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     }
 
     fn configurations(&mut self, unit: &SourceUnit<'_>) {
-        for declaration in &unit.declarations {
-            let Declaration::Configuration(configuration) = declaration else {
-                continue;
-            };
+        for configuration in unit.configurations() {
             self.note("configuration", configuration.span);
             for resource in &configuration.resources {
                 if let Some((name, _)) = &resource.header {
@@ -258,22 +255,24 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             PouKind::Getter | PouKind::Setter => self.note("property", span),
         }
         self.note_if(pou.modifiers.access.is_some(), "access-specifier", span);
-        self.note_if(pou.modifiers.is_abstract, "abstract", span);
-        self.note_if(pou.modifiers.is_final, "final", span);
-        self.note_if(pou.modifiers.is_override, "override", span);
+        for word in pou.modifiers.words() {
+            self.note(word.to_ascii_lowercase(), span);
+        }
         self.note_if(!pou.extends.is_empty(), "extends", span);
         self.note_if(!pou.implements.is_empty(), "implements", span);
     }
 
     fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
-        use TypeSpecificationKind::{Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text};
+        use TypeSpecificationKind::{
+            Array, Enumeration, Error, Named, Pointer, Structure, Subrange, Text, Union, VariableLengthArray,
+        };
         let span = declaration.name.span;
         self.note_if(declaration.extends.is_some(), "structure-extends", span);
         match &declaration.specification.kind {
             Named(_) | Text { .. } => self.note("type-alias", span),
             Array { .. } => self.note("array-type", span),
-            Structure(_) => self.end_of_block(declaration.specification.span),
-            Subrange { .. } | Enumeration { .. } | Pointer { .. } | Error => {}
+            Structure(_) | Union(_) => self.end_of_block(declaration.specification.span),
+            Subrange { .. } | Enumeration { .. } | VariableLengthArray { .. } | Pointer { .. } | Error => {}
         }
         if let Some(initializer) = &declaration.initializer {
             self.note("type-initial-value", initializer.span);
@@ -281,19 +280,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     }
 
     fn section(&mut self, section: &'t VariableBlock<'s>, _: &Context<'t, 's>) {
-        let key = match section.kind {
-            VariableKind::Local => None,
-            VariableKind::Temporary => Some("var-temp"),
-            VariableKind::Instance => Some("var-inst"),
-            VariableKind::Static => Some("var-stat"),
-            VariableKind::Input => Some("var-input"),
-            VariableKind::Output => Some("var-output"),
-            VariableKind::InOut => Some("var-in-out"),
-            VariableKind::External => Some("var-external"),
-            VariableKind::Global => Some("var-global"),
-            VariableKind::Configured => Some("var-config"),
-        };
-        if let Some(key) = key {
+        if section.kind != VariableKind::Local {
+            let key = section.kind.as_str().to_ascii_lowercase().replace('_', "-");
             self.note(key, section.span);
         }
         self.note_if(section.access.is_some(), "access-specifier", section.span);
@@ -312,7 +300,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             };
             self.note(key, location.span);
         }
-        let is_field = at.section.is_none();
+        self.note_if(group.edge.is_some(), "edge-input", group.specification.span);
+        let is_field = at.is_field();
         let initializer = group.initializer.as_ref();
         let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
         if let Some(initializer) = initializer.filter(|_| is_field || is_plain) {
@@ -323,11 +312,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             match self.declared(ty.unqualified().text) {
                 Some(DeclaredKind::Pou(PouKind::FunctionBlock)) => {
                     self.note("function-block-instance", ty.span);
-                    let is_temporary = at
+                    let is_held = at
                         .section
-                        .is_some_and(|section| section.kind != VariableKind::InOut)
-                        && at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
-                    self.note_if(is_temporary, "function-block-in-function", ty.span);
+                        .is_some_and(|section| section.kind != VariableKind::InOut);
+                    let in_function = at.pou.is_some_and(|pou| pou.kind == PouKind::Function);
+                    self.note_if(is_held && in_function, "function-block-in-function", ty.span);
                 }
                 Some(DeclaredKind::Pou(PouKind::Interface)) => self.note("interface-variable", ty.span),
                 _ => {}
@@ -350,11 +339,18 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             TypeSpecificationKind::Array { dimensions, .. } => {
                 self.note("array", span);
                 self.note_if(dimensions.len() > 1, "array-dimensions", span);
-                let written =
-                    |id: ExpressionId| at.unit.expression(id).map(|limit| limit.span.text(self.text));
+                let written = |id| at.unit.expression(id).map(|limit| limit.span.text(self.text));
                 let mut limits = dimensions.iter();
                 let has_one = limits.any(|(low, high)| written(*low) == written(*high));
                 self.note_if(has_one, "array-one-element", span);
+            }
+            TypeSpecificationKind::VariableLengthArray { .. } => {
+                self.note("variable-length-array", span);
+                use VariableKind::{Input, Output};
+                let is_input = at
+                    .section
+                    .is_some_and(|section| matches!(section.kind, Input | Output));
+                self.note_if(is_input, "variable-length-input", span);
             }
             TypeSpecificationKind::Enumeration { base, values } => {
                 self.note("enumeration", span);
@@ -366,6 +362,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
                 self.note_if(has_number, "enumeration-number", span);
             }
             TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Union(_) => self.note("union", span),
             TypeSpecificationKind::Pointer { form, target } => {
                 self.note(form.feature(), span);
                 let is_nested = matches!(&target.kind, TypeSpecificationKind::Pointer { form, .. } if *form != PointerForm::PointerTo);
@@ -389,11 +386,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
 
     fn statement(&mut self, statement: &'t Statement, _: &Context<'t, 's>) {
         let span = statement.span;
-        use StatementKind::{Case, For, If, Repeat, While};
-        if matches!(
-            statement.kind,
-            If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
-        ) {
+        if statement.kind.is_block() {
             self.end_of_block(span);
         }
         match &statement.kind {

@@ -115,25 +115,18 @@ pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option
 fn names<'t, 's>(unit: &'t SourceUnit<'s>) -> Names<'t, 's> {
     let mut names = Names::default();
     walk(unit, &mut names);
-    for declaration in &unit.declarations {
-        if let Declaration::Configuration(configuration) = declaration {
-            let resources = configuration.resources.iter();
-            let inner = resources.flat_map(|resource| {
-                let head = resource.header.iter().map(|(name, _)| *name);
-                let tasks = resource.tasks.iter().map(|task| task.name);
-                head.chain(tasks)
-                    .chain(resource.programs.iter().map(|program| program.name))
-            });
-            for name in std::iter::once(configuration.name).chain(inner) {
-                names.declare(name, DeclaredKind::Configuration, None, None);
-            }
-            let programs = configuration
-                .resources
-                .iter()
-                .flat_map(|resource| &resource.programs);
-            for program in programs {
+    for configuration in unit.configurations() {
+        let mut inner = vec![configuration.name];
+        for resource in &configuration.resources {
+            inner.extend(resource.header.iter().map(|(name, _)| *name));
+            inner.extend(resource.tasks.iter().map(|task| task.name));
+            for program in &resource.programs {
+                inner.push(program.name);
                 names.note(program.type_name, UseKind::Type, None);
             }
+        }
+        for name in inner {
+            names.declare(name, DeclaredKind::Configuration, None, None);
         }
     }
     names.declared.sort_by_key(|declared| declared.name.span.start);
@@ -188,10 +181,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
     }
 
     fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
-        let is_field = at
-            .section
-            .is_none_or(|section| !section.groups.iter().any(|one| std::ptr::eq(one, group)));
-        let (kind, inside) = match at.section.filter(|_| !is_field) {
+        let (kind, inside) = match at.section.filter(|_| !at.is_field()) {
             Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
             None => (DeclaredKind::Field, None),
         };
@@ -218,8 +208,10 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
                 }
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }
@@ -271,6 +263,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             | ExpressionKind::Part { .. }
             | ExpressionKind::Unary { .. }
             | ExpressionKind::Binary { .. }
+            | ExpressionKind::Assigned { .. }
             | ExpressionKind::Parenthesized(_)
             | ExpressionKind::Error => {}
         }

@@ -3,7 +3,7 @@
 //! Basis: codesys-pages: _cds_rules, _cds_operator_namespace_enum.
 
 use crate::names::{DeclaredKind, DeclaredName, declared};
-use crate::tree::{CaseFolded, Declaration, ExpressionId, ExpressionKind, Name, SourceUnit};
+use crate::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, SourceUnit};
 use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind, own_instance};
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Dialect;
@@ -34,8 +34,7 @@ pub fn resolve_qualifiers<'s>(
         } else if known.enumerations.contains(&CaseFolded(qualifier.text)) {
             let span = qualifier.span.to(name.span);
             let is_joined = qualifier.span.end + 1 == name.span.start;
-            let prefix = qualifier.span.end - qualifier.span.start;
-            let value = Prefixed::behind_point(span.text(text), span.start, prefix);
+            let value = Prefixed::new(span.text(text), span.start);
             (is_joined && dialect.values_behind_points).then_some(ExpressionKind::EnumeratedValue(value))
         } else {
             let is_library = dialect.library_namespaces && !known.is_global(qualifier);
@@ -62,10 +61,11 @@ fn qualified<'s>(unit: &SourceUnit<'s>, id: u32) -> Option<(Name<'s>, Name<'s>)>
     }
 }
 
-/// What a text declares.
+/// The declarations of a text, by name.
 struct Known<'s> {
     /// The declarations of each name.
     names: FxHashMap<CaseFolded<'s>, Vec<Declared>>,
+    /// The names of the enumerations.
     enumerations: FxHashSet<CaseFolded<'s>>,
 }
 
@@ -89,19 +89,11 @@ impl<'s> Known<'s> {
                 .or_default()
                 .push(Declared { kind, within });
         }
-        let types = unit
-            .declarations
-            .iter()
-            .filter_map(|declaration| match declaration {
-                Declaration::Types(types) => Some(types),
-                _ => None,
-            });
-        let is_enumeration =
-            |kind: &TypeSpecificationKind<'_>| matches!(kind, TypeSpecificationKind::Enumeration { .. });
-        let enumerations = types
-            .flatten()
-            .filter(|declared| is_enumeration(&declared.specification.kind))
-            .map(|declared| CaseFolded(declared.name.text));
+        let enumerations = unit.types().filter_map(|declared| {
+            let kind = &declared.specification.kind;
+            matches!(kind, TypeSpecificationKind::Enumeration { .. })
+                .then_some(CaseFolded(declared.name.text))
+        });
         Known {
             names,
             enumerations: enumerations.collect(),

@@ -365,7 +365,7 @@ fn group(all: &[Expression], id: ExpressionId) -> String {
             format!(
                 "({} {} {})",
                 group(all, *left),
-                operator.symbol(),
+                operator.as_str(),
                 group(all, *right)
             )
         }

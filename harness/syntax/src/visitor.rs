@@ -83,6 +83,14 @@ pub struct Context<'t, 's> {
     pub outer: Option<Span>,
 }
 
+impl Context<'_, '_> {
+    /// Returns whether a visited declaration is one of the fields of a structure, and not one of the variables of a section.
+    #[must_use]
+    pub fn is_field(&self) -> bool {
+        self.section.map(|section| section.span) != self.outer
+    }
+}
+
 /// Hooks that [`walk`] calls for each part of a tree, before its children.
 pub trait Visitor<'t, 's: 't> {
     /// Visits a program organization unit.
@@ -195,6 +203,7 @@ pub fn operands(expression: &Expression<'_>) -> Vec<(ExpressionId, Place)> {
             vec![(*operand, Place::Operand)]
         }
         ExpressionKind::Binary { left, right, .. } => vec![(*left, Place::Left), (*right, Place::Right)],
+        ExpressionKind::Assigned { target, value } => vec![(*target, Place::Target), (*value, Place::Value)],
         ExpressionKind::Call { callee, arguments } => {
             let arguments = arguments.iter().map(|argument| match argument {
                 Argument::Positional(value) => (*value, Place::Argument),
@@ -281,12 +290,15 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 dimensions.iter().for_each(|limits| self.limits(*limits));
                 self.specification(element);
             }
-            TypeSpecificationKind::Pointer { target, .. } => self.specification(target),
+            TypeSpecificationKind::Pointer { target: inner, .. }
+            | TypeSpecificationKind::VariableLengthArray { element: inner, .. } => self.specification(inner),
             TypeSpecificationKind::Enumeration { values, .. } => {
                 let numbers = values.iter().filter_map(|(_, number)| *number);
                 numbers.for_each(|number| self.expression(number, Place::EnumerationNumber));
             }
-            TypeSpecificationKind::Structure(fields) => fields.iter().for_each(|field| self.variables(field)),
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                fields.iter().for_each(|field| self.variables(field));
+            }
         }
         self.at.outer = outer;
     }

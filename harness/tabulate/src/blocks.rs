@@ -12,96 +12,49 @@ mod model;
 mod sequences;
 mod side_by_side;
 
+use crate::folder::tables_in;
+use crate::table::Table;
 use model::{Block, Inputs, Rule};
 use sequences::every_sequence;
-use serde::Deserialize;
 use side_by_side::side_by_side;
 use std::collections::HashMap;
 use std::fmt::Write;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use stickler_types::ElementaryType;
-use toml::Spanned;
 
-/// The folder of the tables, seen from the root of the repository.
-const TABLES: &str = "conformance-cases/blocks";
+/// The folder of the tables, seen from the folder of the case files.
+const TABLES: &str = "blocks";
 /// The column that is computed.
 const COMPUTED: &str = "scans";
 /// The times that may pass between two scans, in seconds, for a PT of 5: none, less than PT, PT, and more.
 const PASSED: [i128; 4] = [0, 3, 5, 7];
 
-/// A table of sequences.
-#[derive(Clone, Debug)]
-pub struct BlockTable {
-    /// The path of the file.
-    pub path: PathBuf,
-    /// The text that the file has.
-    pub text: String,
-    /// The text that it must have.
-    pub wanted: String,
-}
-
-/// The keys of a case file that matter here; the suite checks all of them.
-#[derive(Deserialize)]
-struct TableKeys {
-    #[serde(default)]
-    columns: Vec<String>,
-    rows: Option<Spanned<Vec<Vec<String>>>>,
-}
-
-/// Reads each table of sequences and computes its rows, ordered by name; `root` is the repository.
+/// Reads each table of sequences, ordered by name, with the text that it must have; `root` is the repository.
 ///
 /// # Errors
 /// A message, where a file cannot be read or a cell is not understood.
-pub fn block_tables(root: &Path) -> Result<Vec<BlockTable>, String> {
-    let folder = root.join(TABLES);
-    let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
-    paths.sort();
-    let mut tables = Vec::new();
-    for path in paths {
-        let fail = |what: String| format!("{}: {what}", path.display());
-        let text = std::fs::read_to_string(&path).map_err(|error| fail(error.to_string()))?;
-        if let Some(wanted) = wanted(&text).map_err(fail)? {
-            tables.push(BlockTable { path, text, wanted });
-        }
-    }
-    Ok(tables)
+pub fn block_tables(root: &Path) -> Result<Vec<(PathBuf, Table, String)>, String> {
+    let mut tables = tables_in(root, TABLES)?;
+    tables.retain(|(_, table)| table.has_column("kind") && table.has_column(COMPUTED));
+    let with_text = tables.into_iter().map(|(path, table)| {
+        let rows = table.rows.iter().map(|row| computed(&table.columns, row));
+        let rows = rows.collect::<Result<Vec<_>, _>>();
+        let text = table.with_rows(&rows.map_err(|what| format!("{}: {what}", path.display()))?);
+        Ok((path, table, text))
+    });
+    with_text.collect()
 }
 
-/// Returns the text that a table must have; `None` where its columns are not those of sequences.
-fn wanted(text: &str) -> Result<Option<String>, String> {
-    let keys: TableKeys = toml::from_str(text).map_err(|error| error.to_string())?;
-    let is_computed = ["kind", COMPUTED]
-        .iter()
-        .all(|name| keys.columns.iter().any(|column| column == name));
-    let (Some(rows), true) = (keys.rows, is_computed) else {
-        return Ok(None);
-    };
-    let Range { start, end } = rows.span();
-    let mut written = String::from("[\n");
-    for row in rows.get_ref() {
-        let cells: HashMap<&str, &str> = keys
-            .columns
-            .iter()
-            .map(String::as_str)
-            .zip(row.iter().map(String::as_str))
-            .collect();
-        let scans = scans(&cells).map_err(|what| format!("{}: {what}", row.join(", ")))?;
-        let cells: Vec<String> = keys
-            .columns
-            .iter()
-            .zip(row)
-            .map(|(column, cell)| match &**column {
-                COMPUTED => format!("\"\"\"\n{scans}\"\"\""),
-                _ => format!("\"{cell}\""),
-            })
-            .collect();
-        // Writing into a String does not fail.
-        let _ = writeln!(written, "    [{}],", cells.join(", "));
-    }
-    Ok(Some(format!("{}{written}]{}", &text[..start], &text[end..])))
+/// Returns a row with the cell that it must have.
+fn computed(columns: &[String], row: &[String]) -> Result<Vec<String>, String> {
+    let names = columns.iter().map(String::as_str);
+    let cells: HashMap<&str, &str> = names.zip(row.iter().map(String::as_str)).collect();
+    let scans = scans(&cells).map_err(|what| format!("{}: {what}", row.join(", ")))?;
+    let cells = columns.iter().zip(row);
+    Ok(cells
+        .map(|(column, cell)| if column == COMPUTED { &scans } else { cell })
+        .cloned()
+        .collect())
 }
 
 /// The sequences that a row has.
@@ -170,7 +123,7 @@ impl Wanted {
 /// Returns the table of scans of a row.
 fn scans(cells: &HashMap<&str, &str>) -> Result<String, String> {
     let cell = |name: &str| cells.get(name).copied().unwrap_or_default();
-    let block = Block::named(cell("kind")).ok_or("`kind` names no block")?;
+    let block = Block::from_word(cell("kind")).ok_or("`kind` names no block")?;
     let ty = ElementaryType::from_name(cell("type")).and_then(ElementaryType::integer_range);
     let range = ty.unwrap_or_default();
     let wanted = Wanted::read(cell("sequences"), range)?;

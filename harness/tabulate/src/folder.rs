@@ -44,8 +44,13 @@ impl CallTable {
 /// # Errors
 /// A message, where a file cannot be read or is no table.
 pub fn tables(root: &Path) -> Result<Vec<(PathBuf, Table)>, String> {
+    tables_in(root, TABLES)
+}
+
+/// Reads every table file of a folder of the case files, ordered by name; `root` is the repository.
+pub(crate) fn tables_in(root: &Path, folder: &str) -> Result<Vec<(PathBuf, Table)>, String> {
     let names = names(root)?;
-    let folder = root.join(SUITE).join(TABLES);
+    let folder = root.join(SUITE).join(folder);
     let entries = std::fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));

@@ -264,16 +264,19 @@ fn resolve(names: &[String], dialects: &Dialects) -> Result<Vec<DialectName>, St
     Ok(all)
 }
 
-/// Writes rows as a TOML array in which each cell is as wide as the widest of its column.
+/// Writes rows as a TOML array in which each cell is as wide as the widest of its column. Rows with texts of several lines, which are far apart,
+/// are not aligned.
 fn aligned(rows: &[Vec<String>]) -> String {
     let rows: Vec<Vec<String>> = rows
         .iter()
         .map(|row| row.iter().map(|cell| quoted(cell)).collect())
         .collect();
     let columns = rows.first().map_or(0, Vec::len);
+    let has_lines = rows.iter().flatten().any(|cell| cell.contains('\n'));
     let widths: Vec<usize> = (0..columns)
         .map(|column| {
-            let cells = rows.iter().filter_map(|row| row.get(column));
+            let cells = rows.iter().filter(|_| !has_lines);
+            let cells = cells.filter_map(|row| row.get(column));
             cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
         })
         .collect();
@@ -290,8 +293,12 @@ fn aligned(rows: &[Vec<String>]) -> String {
     out
 }
 
-/// Writes a TOML string on one line: between double quotes, or between single ones where that spares the reader escapes.
+/// Writes a TOML string on one line: between double quotes, or between single ones where that spares the reader escapes. A text of several lines
+/// begins on a line of its own.
 fn quoted(text: &str) -> String {
+    if text.contains('\n') {
+        return format!("\"\"\"\n{text}\"\"\"");
+    }
     let needs_escapes = text.contains(['"', '\\']);
     if needs_escapes && !text.contains('\'') {
         return format!("'{text}'");

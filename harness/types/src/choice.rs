@@ -81,7 +81,7 @@ macro_rules! choices_of_words {
             }
         })*
     };
-    (@all $name:ty) => { <$name>::ALL };
+    (@all $name:ty) => { &<$name>::ALL };
     (@all $name:ty, $all:expr) => { $all };
 }
 

@@ -321,7 +321,7 @@ mod tests {
         assert_eq!(MatrixWord::from_word("yes"), Some(MatrixWord::Yes));
         assert_eq!(MatrixWord::from_word("Yes"), None);
         for rounding in Rounding::ALL {
-            assert_eq!(Rounding::from_word(rounding.as_str()), Some(*rounding));
+            assert_eq!(Rounding::from_word(rounding.as_str()), Some(rounding));
         }
     }
 }

@@ -1,23 +1,24 @@
 //! Contradictions between the sources of one compiler, what a source prints without a case, and the relation of a publisher to the makers of the compiler.
 
-use crate::Versions;
+use crate::{Versions, words};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
-/// The relation of the publisher of a source to what the source speaks of: a compiler, a system or a standard.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Relation {
-    /// Who makes it.
-    #[default]
-    Maker,
-    /// Who ships the compiler in a product.
-    Integrator,
-    /// Who restates a text that is not public.
-    Restatement,
-    /// Anybody else.
-    ThirdParty,
+words! {
+    /// The relation of the publisher of a source to what the source speaks of: a compiler, a system or a standard.
+    #[derive(Default, Serialize, Deserialize)]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[serde(rename_all = "kebab-case")]
+    Relation {
+        /// Who makes it.
+        #[default]
+        Maker = "maker",
+        /// Who ships the compiler in a product.
+        Integrator = "integrator",
+        /// Who restates a text that is not public.
+        Restatement = "restatement",
+        /// Anybody else.
+        ThirdParty = "third party",
+    }
 }
 
 impl Relation {
@@ -34,17 +35,6 @@ impl Relation {
             Relation::Maker => kind.to_owned(),
             other => format!("{kind} ({other})"),
         }
-    }
-}
-
-impl fmt::Display for Relation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Relation::Maker => "maker",
-            Relation::Integrator => "integrator",
-            Relation::Restatement => "restatement",
-            Relation::ThirdParty => "third party",
-        })
     }
 }
 

@@ -1,31 +1,24 @@
 //! The diagnostics of compilers: errors and warnings.
 
-use crate::Code;
+use crate::{Code, words};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// The weight of a diagnostic.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "lowercase")]
-pub enum Severity {
-    /// The program is rejected.
-    #[default]
-    Error,
-    /// The program is accepted all the same.
-    Warning,
+words! {
+    /// The weight of a diagnostic.
+    #[derive(Default, Serialize, Deserialize)]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[serde(rename_all = "lowercase")]
+    Severity {
+        /// The program is rejected.
+        #[default]
+        Error = "error",
+        /// The program is accepted all the same.
+        Warning = "warning",
+    }
 }
 
 impl Severity {
-    /// Returns the word: `error` or `warning`.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-        }
-    }
-
     /// Returns whether this is [`Severity::Error`].
     #[must_use]
     pub fn is_error(&self) -> bool {

@@ -1,6 +1,6 @@
 //! The names of the dialects, and the registry of what their files state.
 
-use crate::{Dialect, DialectKind, dialect_file};
+use crate::{Dialect, DialectKind, dialect_file, joined};
 use std::fmt;
 use std::str::FromStr;
 use std::sync::{LazyLock, PoisonError, RwLock};
@@ -145,14 +145,12 @@ fn known() -> String {
         .filter(|dialect| !dialect.is_variant());
     let all = DialectName::ALL.into_iter().chain(defined);
     let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
-    let last = match names.len().checked_sub(MAX_NAMES) {
-        Some(more) if more > 0 => {
-            names.truncate(MAX_NAMES);
-            format!("{more} more")
-        }
-        _ => names.pop().unwrap_or_default(),
-    };
-    format!("{} and {last}", names.join(", "))
+    let more = names.len().saturating_sub(MAX_NAMES);
+    if more > 0 {
+        names.truncate(MAX_NAMES);
+        names.push(format!("{more} more"));
+    }
+    joined(&names, "and")
 }
 
 impl FromStr for DialectName {

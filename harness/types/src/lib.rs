@@ -73,6 +73,7 @@ pub use fault::{Fault, UnknownFault};
 pub use generic::GenericType;
 pub use hash::Fnv1a;
 pub use literal::LiteralError;
+pub use near::joined;
 pub use numbers::{counted, grouped};
 pub use observed_value::deserialize_expected;
 pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};

@@ -1,5 +1,7 @@
 //! Suggestions for misspelled words, and lists of words for messages.
 
+use std::borrow::Borrow;
+
 /// The greatest edit distance at which a word is taken for a misspelling of another.
 const NEAR: usize = 2;
 
@@ -19,11 +21,21 @@ pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Opti
 /// Formats a list of words, each between backquotes: `a`, `b` and `c`.
 #[must_use]
 pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
-    let mut words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
-    match words.pop() {
-        None => "nothing".to_owned(),
-        Some(only) if words.is_empty() => only,
-        Some(last) => format!("{} and {last}", words.join(", ")),
+    let words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match words.is_empty() {
+        true => "nothing".to_owned(),
+        false => joined(&words, "and"),
+    }
+}
+
+/// Joins words as prose does, with a word such as `and` before the last: a, b and c.
+#[must_use]
+pub fn joined<W: Borrow<str>>(words: &[W], conjunction: &str) -> String {
+    match words {
+        [others @ .., last] if !others.is_empty() => {
+            format!("{} {conjunction} {}", others.join(", "), last.borrow())
+        }
+        few => few.join(""),
     }
 }
 

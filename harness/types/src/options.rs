@@ -51,7 +51,7 @@ words! {
 impl Choice for PartialAccess {
     fn state(&mut self, key: &str, value: &DeValue<'_>) -> Result<(), String> {
         *self = match key.starts_with("flags.") {
-            false => one_of(value, PartialAccess::ALL, PartialAccess::as_str)?,
+            false => one_of(value, &PartialAccess::ALL, PartialAccess::as_str)?,
             true if !truth(value)? => PartialAccess::Disabled,
             // The forms that are enabled already stay.
             true if self.is_enabled() => *self,
@@ -119,7 +119,7 @@ words! {
 impl Choice for ThirdEditionTypes {
     fn state(&mut self, key: &str, value: &DeValue<'_>) -> Result<(), String> {
         *self = match key.starts_with("flags.") {
-            false => one_of(value, ThirdEditionTypes::ALL, ThirdEditionTypes::as_str)?,
+            false => one_of(value, &ThirdEditionTypes::ALL, ThirdEditionTypes::as_str)?,
             true if truth(value)? => ThirdEditionTypes::All,
             true => ThirdEditionTypes::None,
         };

@@ -98,6 +98,13 @@ impl Outcome {
         Outcome::Rejected { diagnostics }
     }
 
+    /// Returns the outcome of an engine that crashed, for this reason.
+    #[must_use]
+    pub fn crashed(reason: impl Into<String>) -> Outcome {
+        let reason = reason.into();
+        Outcome::Crashed { reason }
+    }
+
     /// Returns the outcome of checking a program: rejected where a diagnostic is an error, otherwise accepted with the
     /// diagnostics as warnings.
     #[must_use]
@@ -107,6 +114,25 @@ impl Outcome {
             false => Outcome::Accepted {
                 warnings: diagnostics,
             },
+        }
+    }
+
+    /// Returns whether a program and its rendered text ended alike. The lines of faults and errors may differ, since comments are
+    /// dropped; and a program that was rejected may have been rendered all the same, so that its text is rejected at whatever place.
+    #[must_use]
+    pub fn ends_like(&self, rendered: &Outcome) -> bool {
+        use Outcome::{Faulted, Rejected};
+        match (self, rendered) {
+            (Rejected { .. }, Rejected { .. }) => true,
+            (
+                Faulted { fault, values, .. },
+                Faulted {
+                    fault: again,
+                    values: same,
+                    ..
+                },
+            ) => (fault, values) == (again, same),
+            _ => self == rendered,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Enumerations whose variants are spelled as words in files and on the command line.
 
-/// Declares an enumeration and the word of each variant.
+/// Declares an enumeration and the word of each variant, as which a variant is displayed.
 #[macro_export]
 macro_rules! words {
     ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
@@ -12,9 +12,10 @@ macro_rules! words {
 
         impl $name {
             /// Every variant, in the order of the declaration.
-            pub const ALL: &'static [$name] = &[$($name::$word),*];
+            pub const ALL: [$name; [$($name::$word),*].len()] = [$($name::$word),*];
 
             /// Returns the word.
+            #[must_use]
             pub const fn as_str(self) -> &'static str {
                 match self {
                     $($name::$word => $text,)*
@@ -24,7 +25,13 @@ macro_rules! words {
             /// Returns the variant with this word.
             #[must_use]
             pub fn from_word(word: &str) -> Option<$name> {
-                $name::ALL.iter().copied().find(|known| known.as_str() == word)
+                $name::ALL.into_iter().find(|known| known.as_str() == word)
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.pad(self.as_str())
             }
         }
     };

@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn every_input_of_the_corpora_holds() {
-        for &target in FuzzTarget::ALL {
+        for target in FuzzTarget::ALL {
             let corpus = crate::root().join("corpus").join(target.as_str());
             let (summary, output, complaints) = said(target, &[corpus]);
             assert!(

@@ -40,6 +40,6 @@ fn tables() -> Result<Vec<(PathBuf, String, String)>, String> {
     let calls = folder::call_tables(&root)?.into_iter();
     let calls = calls.map(|table| (table.path.clone(), table.table.text.clone(), table.wanted()));
     let blocks = blocks::block_tables(&root)?.into_iter();
-    let blocks = blocks.map(|table| (table.path, table.text, table.wanted));
+    let blocks = blocks.map(|(path, table, wanted)| (path, table.text, wanted));
     Ok(calls.chain(blocks).collect())
 }

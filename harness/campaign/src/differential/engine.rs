@@ -37,9 +37,9 @@ impl EngineUnderTest<'_> {
 pub(crate) fn ask(session: &mut EngineSession<'_>, question: JudgedProgram<'_>) -> Outcome {
     let observe = observations(&question);
     let request = RunRequest::once(question.dialect, question.text, &observe);
-    session.run(&request).unwrap_or_else(|error| Outcome::Crashed {
-        reason: error.to_string(),
-    })
+    session
+        .run(&request)
+        .unwrap_or_else(|error| Outcome::crashed(error.to_string()))
 }
 
 /// Runs programs of one dialect, in packs where the engine takes several at a time. Programs about which the answer to a pack

@@ -2,9 +2,8 @@
 
 use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
-use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
-use stickler_types::DialectName;
+use std::sync::{Arc, Mutex, PoisonError};
+use stickler_engines::{ClosureEngine, Outcome, RunRequest};
 
 /// A planted defect of an engine.
 #[derive(Clone, Copy, Debug)]
@@ -23,108 +22,45 @@ pub enum Defect {
     None,
 }
 
-/// An engine with a defect.
-pub struct Defective {
-    inner: Reference,
-    identity: Identity,
-    defect: Defect,
-    requests: AtomicU64,
-    /// The number of requests that the engine answers before it dies over all others.
-    life: AtomicU64,
-    /// The programs over which it has died.
-    fatal: Mutex<HashSet<String>>,
+/// Returns the reference with this defect, under the name `defective`.
+pub fn defective(defect: Defect) -> ClosureEngine<'static> {
+    dying(defect, u64::MAX, Arc::default())
 }
 
-impl Defective {
-    /// The reference with this defect, under the name `defective`.
-    pub fn new(defect: Defect) -> Defective {
-        Defective::dying(defect, u64::MAX)
-    }
-
-    /// Returns an engine with a defect that dies over every request after the first `life`.
-    pub fn dying(defect: Defect, life: u64) -> Defective {
-        let inner = Reference::default();
-        let identity = Identity {
-            name: "defective".to_owned(),
-            ..inner.identity().clone()
-        };
-        Defective {
-            inner,
-            identity,
-            defect,
-            requests: AtomicU64::new(0),
-            life: AtomicU64::new(life),
-            fatal: Mutex::default(),
-        }
-    }
-
-    fn is_first_death(&self, source: &str) -> bool {
-        let mut fatal = self.fatal.lock().unwrap_or_else(PoisonError::into_inner);
+/// Returns an engine with a defect that counts the requests to run a program, and dies over every request after the first `life`.
+pub fn dying(defect: Defect, life: u64, requests: Arc<AtomicU64>) -> ClosureEngine<'static> {
+    let life = AtomicU64::new(life);
+    // The programs over which it has died.
+    let fatal: Mutex<HashSet<String>> = Mutex::default();
+    let is_first_death = move |source: &str| {
+        let mut fatal = fatal.lock().unwrap_or_else(PoisonError::into_inner);
         fatal.insert(source.to_owned())
-    }
-
-    /// Returns the number of requests to run a program.
-    pub fn requests(&self) -> u64 {
-        self.requests.load(Ordering::Relaxed)
-    }
-}
-
-impl Engine for Defective {
-    fn identity(&self) -> &Identity {
-        &self.identity
-    }
-
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(DefectiveSession {
-            engine: self,
-            inner: self.inner.session()?,
-        }))
-    }
-}
-
-struct DefectiveSession<'e> {
-    engine: &'e Defective,
-    inner: Box<dyn Session + 'e>,
-}
-
-impl Session for DefectiveSession<'_> {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        let number = self.engine.requests.fetch_add(1, Ordering::Relaxed) + 1;
-        let source = match self.engine.defect {
-            Defect::Mistakes(word, other) => request.source.replace(word, other),
-            _ => request.source.to_owned(),
-        };
-        let dies = match self.engine.defect {
+    };
+    ClosureEngine::new("defective", move |reference, request| {
+        let number = requests.fetch_add(1, Ordering::Relaxed) + 1;
+        let mut source = request.source.to_owned();
+        let dies = match defect {
             Defect::DiesOver(word) => source.contains(word),
-            Defect::DiesEvery(every) => number.is_multiple_of(every) && self.engine.is_first_death(&source),
+            Defect::DiesEvery(every) => number.is_multiple_of(every) && is_first_death(&source),
             Defect::DiesForEverOver(word) if source.contains(word) => {
-                self.engine.life.store(0, Ordering::Relaxed);
+                life.store(0, Ordering::Relaxed);
                 true
             }
             Defect::Rejects(texts) if texts.iter().any(|text| source.contains(text)) => {
-                return Outcome::Rejected {
-                    diagnostics: Vec::new(),
-                };
+                return Outcome::rejected(Vec::new());
             }
-            Defect::DiesForEverOver(_) | Defect::Mistakes(..) | Defect::Rejects(_) | Defect::None => false,
+            Defect::Mistakes(word, other) => {
+                source = source.replace(word, other);
+                false
+            }
+            Defect::DiesForEverOver(_) | Defect::Rejects(_) | Defect::None => false,
         };
-        let dies = dies || number > self.engine.life.load(Ordering::Relaxed);
-        if dies {
-            return Outcome::Crashed {
-                reason: "it was made to".to_owned(),
-            };
+        if dies || number > life.load(Ordering::Relaxed) {
+            return Outcome::crashed("it was made to");
         }
-        self.inner.run(&RunRequest {
+        reference.run(&RunRequest {
             source: &source,
             ..*request
         })
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        self.inner.check(dialect, source)
-    }
-
-    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        self.inner.render(dialect, source)
-    }
+    })
 }

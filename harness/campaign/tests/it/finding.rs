@@ -1,17 +1,19 @@
 //! Findings of a campaign over an engine with a known defect.
 
-use crate::engines::{Defect, Defective};
+use crate::engines::{Defect, defective, dying};
 use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use stickler_campaign::finding::{Confirmation, ExpectedBehavior};
 use stickler_campaign::{CampaignEnd, CaseHead, EngineUnderTest, Finding, Store, load, promote, replay};
-use stickler_engines::{Engine, Reference};
+use stickler_engines::{ClosureEngine, Engine, Reference};
 use stickler_workers::Shard;
 
 /// Returns the findings of a campaign without those that probably repeat a simpler one.
 fn found(defect: Defect, count: u64) -> Vec<Finding> {
-    let summary = whole(&Defective::new(defect), count);
+    let summary = whole(&defective(defect), count);
     assert_eq!(summary.ended, CampaignEnd::Done);
     let all: Vec<Finding> = summary.findings.values().cloned().collect();
     let different = all
@@ -58,7 +60,7 @@ fn a_program_over_which_an_engine_dies_is_found_and_made_small() {
 
 #[test]
 fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_is_flaky() {
-    let summary = whole(&Defective::new(Defect::DiesEvery(50)), 120);
+    let summary = whole(&defective(Defect::DiesEvery(50)), 120);
     assert_eq!(summary.ended, CampaignEnd::Done);
     assert_eq!(summary.programs, 120);
     // Which of the later deaths meets a program for the first time depends on the workers; that of the fiftieth does not.
@@ -74,7 +76,7 @@ fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_
 
 #[test]
 fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
-    let summary = whole(&Defective::dying(Defect::None, 60), 1000);
+    let summary = whole(&dying(Defect::None, 60, Arc::default()), 1000);
     let CampaignEnd::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
@@ -84,7 +86,7 @@ fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
 
 #[test]
 fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
-    let summary = whole(&Defective::new(Defect::DiesForEverOver(" MOD ")), 1000);
+    let summary = whole(&defective(Defect::DiesForEverOver(" MOD ")), 1000);
     let CampaignEnd::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
@@ -116,16 +118,21 @@ fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
 fn an_engine_that_is_lost_while_a_finding_is_made_small_ends_the_campaign() {
     let defect = Defect::Mistakes(" MOD ", " / ");
     let finds = |programs: &u64| {
-        !campaign(&Defective::new(defect), Shard::WHOLE, *programs, 1)
+        !campaign(&defective(defect), Shard::WHOLE, *programs, 1)
             .findings
             .is_empty()
     };
     // The last of these programs has the defect: what the engine is asked last is asked to make that one small.
     let programs = (1..200).find(finds).expect("a program with the defect");
-    let of = |engine: &Defective| campaign(engine, Shard::WHOLE, programs, 1);
-    let lasting = Defective::new(defect);
+    let of = |engine: &ClosureEngine<'_>| campaign(engine, Shard::WHOLE, programs, 1);
+    let requests = Arc::<AtomicU64>::default();
+    let lasting = dying(defect, u64::MAX, Arc::clone(&requests));
     assert_eq!(of(&lasting).ended, CampaignEnd::Done);
-    let summary = of(&Defective::dying(defect, lasting.requests() - 2));
+    let summary = of(&dying(
+        defect,
+        requests.load(Ordering::Relaxed) - 2,
+        Arc::default(),
+    ));
     assert!(
         matches!(summary.ended, CampaignEnd::Lost(_)),
         "{:?}",
@@ -151,7 +158,7 @@ fn the_reference_agrees_with_the_documents() {
 
 #[test]
 fn a_finding_is_saved_judged_again_and_promoted() {
-    let defective = Defective::new(Defect::Mistakes(" MOD ", " / "));
+    let engine = defective(Defect::Mistakes(" MOD ", " / "));
     let findings = found(Defect::Mistakes(" MOD ", " / "), 250);
     let finding = findings
         .iter()
@@ -170,7 +177,7 @@ fn a_finding_is_saved_judged_again_and_promoted() {
         };
         replay(&finding, &[engine]).unwrap().shows()
     };
-    assert!(shows(&defective));
+    assert!(shows(&engine));
     assert!(!shows(&reference));
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
     let found = folder.path().join("found");

@@ -1,12 +1,12 @@
 //! The survey of engines that are known to fail with some parts of the language.
 
-use crate::engines::{Defect, Defective};
+use crate::engines::{Defect, defective};
 use stickler_campaign::{EngineUnderTest, Exclusions, Survey, SurveyPlan, survey};
 use stickler_types::DialectName;
 
 /// Surveys the reference, which rejects programs with one of these texts.
 fn surveyed(texts: &'static [&'static str], without: &[&str], going: &(dyn Fn() -> bool + Sync)) -> Survey {
-    let engine = &Defective::new(Defect::Rejects(texts));
+    let engine = &defective(Defect::Rejects(texts));
     let words: Vec<String> = without.iter().map(|&word| word.to_owned()).collect();
     let engines = [EngineUnderTest {
         engine,

@@ -233,9 +233,9 @@ impl Defects {
     /// Returns what this compiler makes of what the reference did.
     fn changed(&self, source: &str, outcome: Outcome) -> Outcome {
         match outcome {
-            Outcome::Rejected { .. } if self.dies_of_mistakes => Outcome::Crashed {
-                reason: "the virtual machine ended".to_owned(),
-            },
+            Outcome::Rejected { .. } if self.dies_of_mistakes => {
+                Outcome::crashed("the virtual machine ended")
+            }
             Outcome::Rejected { mut diagnostics } => {
                 let is_seen = |reported: &Diagnostic| {
                     let code = reported.code.as_deref().unwrap_or_default();

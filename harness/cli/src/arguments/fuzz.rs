@@ -111,7 +111,7 @@ pub struct MergeArguments {
 }
 
 fn targets() -> impl Iterator<Item = FuzzTarget> {
-    let all = FuzzTarget::ALL.iter().copied();
+    let all = FuzzTarget::ALL.into_iter();
     all.filter(|target| *target != FuzzTarget::Differential)
 }
 

@@ -20,7 +20,7 @@ pub struct RecordArguments {
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
     /// Only this section: implicit, bits, comparisons or functions; may be repeated [default: all]. What FILE holds of the others stays
-    #[arg(long, value_name = "SECTION", value_parser = super::one_of(RecordedSection::ALL.iter().copied(), RecordedSection::as_str), hide_possible_values = true)]
+    #[arg(long, value_name = "SECTION", value_parser = super::one_of(RecordedSection::ALL, RecordedSection::as_str), hide_possible_values = true)]
     pub only: Vec<RecordedSection>,
     /// The name of the compiler [default: that of the engine]
     #[arg(long, value_name = "TEXT")]

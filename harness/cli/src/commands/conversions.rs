@@ -17,7 +17,7 @@ use stickler_engines::Identity;
 use stickler_exact::Signature;
 use stickler_export::{Kind, Questions, call_question};
 use stickler_suite::{SourceKind, Suite};
-use stickler_types::{Contradiction, DialectName, PrintedResult, wrap};
+use stickler_types::{Contradiction, DialectName, PrintedResult, distinct, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -191,13 +191,6 @@ fn add_documented(calls: &mut [(Signature, Vec<CallOperands>)], known: &Known) {
 
 /// Returns every signature that one of the dialects has, each once.
 fn signatures(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
-    let mut found: Vec<Signature> = Vec::new();
-    for dialect in dialects {
-        for signature in stickler_exact::signatures(function, *dialect) {
-            if !found.contains(&signature) {
-                found.push(signature);
-            }
-        }
-    }
-    found
+    let signatures = |dialect: &DialectName| stickler_exact::signatures(function, *dialect);
+    distinct(dialects.iter().flat_map(signatures))
 }

@@ -108,7 +108,7 @@ impl<'n> ListedEngine<'n> {
             Some(EngineKind::Described(description)) => (None, description.project()),
             Some(EngineKind::Command { .. }) => (None, None),
             None => {
-                let compiler = Compiler::from_name(name);
+                let compiler = Compiler::from_word(name);
                 (compiler, compiler.map(Compiler::project))
             }
         };
@@ -122,7 +122,7 @@ impl<'n> ListedEngine<'n> {
         ListedEngine {
             name,
             here: identity.is_some(),
-            adapter: compiler.map(Compiler::name),
+            adapter: compiler.map(Compiler::as_str),
             version: identity.map(|identity| identity.version.clone()),
             dialects: dialects.iter().map(|dialect| dialect.as_str()).collect(),
             abilities: abilities.iter().map(ToString::to_string).collect(),

@@ -17,7 +17,7 @@ const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 /// No folder of cases.
 pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let engines = Compiler::ALL.map(Compiler::name);
+    let engines = Compiler::ALL.map(Compiler::as_str);
     let findings = stickler_suite::lint(&folder.path, &engines);
     findings.iter().try_for_each(|finding| write(finding, out))?;
     let recordings = folder.recordings()?;

@@ -28,7 +28,7 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
     let dialects = engines::spoken(engine.identity(), asked)?;
     let origin = origin(arguments, engine.identity())?;
     let sections = match &arguments.only[..] {
-        [] => RecordedSection::ALL,
+        [] => &RecordedSection::ALL,
         named => named,
     };
     // A file that cannot be completed is seen before the compiler is asked for minutes.

@@ -86,7 +86,7 @@ impl KnownCompiler<'_> {
     /// No engine has the name, or it has no command line of its own.
     fn named<'c>(name: &str, configuration: &'c ConfigurationFile) -> anyhow::Result<KnownCompiler<'c>> {
         let entry = configuration.engine(name).map(|entry| &entry.kind);
-        match (entry, Compiler::from_name(name)) {
+        match (entry, Compiler::from_word(name)) {
             (Some(EngineKind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
             (None, Some(compiler)) => Ok(KnownCompiler::Adapter(compiler)),
             (Some(EngineKind::Described(description)), _) => Ok(KnownCompiler::Described(description)),

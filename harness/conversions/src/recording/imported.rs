@@ -141,7 +141,7 @@ mod tests {
             let name = program.observed.first().map_or("", String::as_str);
             assert!(builder.take(&question, name, &outcome), "{question}");
         }
-        let asked = Recording::ask(&reference, origin(), &[DIALECT], RecordedSection::ALL, 0, &|| {});
+        let asked = Recording::ask(&reference, origin(), &[DIALECT], &RecordedSection::ALL, 0, &|| {});
         let asked = asked.unwrap();
         assert_eq!(builder.finish(), asked);
     }

@@ -21,7 +21,7 @@ pub fn all_questions(dialect: DialectName) -> Vec<Question> {
         };
         calls.into_iter().map(call).map(Question::Call)
     });
-    let words = RecordedSection::ALL.iter().copied().flat_map(questions_of);
+    let words = RecordedSection::ALL.into_iter().flat_map(questions_of);
     words.chain(calls).collect()
 }
 

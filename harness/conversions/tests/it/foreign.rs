@@ -1,10 +1,10 @@
 //! Tests sweeps through programs: of the reference, and of engines with a single planted error.
 
-use crate::between::{between, rewritten, wrong};
+use crate::between::{reading, wrong};
 use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
-use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
+use stickler_engines::{ClosureEngine, Engine, Outcome, Reference};
 use stickler_mdtest::check_examples;
 use stickler_types::DialectName;
 use stickler_types::boundaries::BoundaryDetail;
@@ -118,9 +118,9 @@ fn golden_sweeps() {
 
 #[test]
 fn an_engine_that_crashes_at_one_input_is_asked_on() {
-    let engine = between(|session: &mut dyn Session, request: &RunRequest<'_>| {
+    let engine = ClosureEngine::new("reference", |reference, request| {
         assert!(!request.source.contains(":= 'abc';"), "a bug of the engine");
-        session.run(request)
+        reference.run(request)
     });
     let found = found(
         &sweeps("STRING_TO_INT", DialectName::MATIEC, Some(10))[0],
@@ -133,11 +133,11 @@ fn an_engine_that_crashes_at_one_input_is_asked_on() {
 
 #[test]
 fn an_engine_that_allows_few_steps_gets_shorter_programs() {
-    let engine = between(|session: &mut dyn Session, request: &RunRequest<'_>| {
+    let engine = ClosureEngine::new("reference", |reference, request| {
         let long = ["DINT#16383 ", "DINT#16384 ", "DINT#8192 "];
         match long.iter().any(|count| request.source.contains(count)) {
             true => Outcome::TimedOut { after_ms: 1 },
-            false => session.run(request),
+            false => reference.run(request),
         }
     });
     let sweep = &sweeps("INT_TO_DINT", DialectName::MATIEC, None)[0];
@@ -147,7 +147,7 @@ fn an_engine_that_allows_few_steps_gets_shorter_programs() {
 
 #[test]
 fn a_sum_that_is_wrong_although_each_result_is_right_is_told_apart() {
-    let engine = rewritten(|source| source.replace("MOD LINT#1999999973", "MOD LINT#1999999993"));
+    let engine = reading(|source| source.replace("MOD LINT#1999999973", "MOD LINT#1999999993"));
     let found = found(&sweeps("SINT_TO_DINT", DialectName::MATIEC, None)[0], &engine);
     assert_eq!((found.mismatches, found.observed), (0, 0));
     assert!(found.unexplained > 0 && found.has_failures(), "{found:?}");
@@ -155,7 +155,7 @@ fn a_sum_that_is_wrong_although_each_result_is_right_is_told_apart() {
 
 #[test]
 fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
-    let engine = rewritten(|source| source.replace("INT_TO_DINT(", "INT_TO_NOTHING("));
+    let engine = reading(|source| source.replace("INT_TO_DINT(", "INT_TO_NOTHING("));
     let sweep = &sweeps("INT_TO_DINT", DialectName::MATIEC, None)[0];
     let error = run(sweep, &engine, 1, &|_| {}, &Cancellation::new()).expect_err("it knows no such function");
     let error = error.to_string();

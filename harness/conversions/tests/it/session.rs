@@ -1,8 +1,7 @@
 //! Tests sessions of functions: what no literal says, and what an engine refuses.
 
-use crate::between::Between;
 use stickler_conversions::{FunctionSession, Refusal, RefusalKind};
-use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
+use stickler_engines::{ClosureEngine, Engine, Outcome, Reference};
 use stickler_types::{DialectName, Value};
 
 fn value(literal: &str) -> Value {
@@ -29,13 +28,12 @@ fn what_no_literal_says_is_computed_in_the_program() {
 #[test]
 fn a_sign_that_a_literal_cannot_have_hides_no_result() {
     // Reads no sign behind the type of a literal.
-    let engine = Between {
-        reference: Reference::default(),
-        answer: |session: &mut dyn Session, request: &RunRequest<'_>| match request.source.contains("#-") {
+    let engine = ClosureEngine::new("reference", |reference, request| {
+        match request.source.contains("#-") {
             true => Outcome::rejected(Vec::new()),
-            false => session.run(request),
-        },
-    };
+            false => reference.run(request),
+        }
+    });
     for (function, operands, expected) in [
         ("REAL_TO_INT", ["REAL#-2.5", "REAL#1.0"], ["INT#-2", "INT#1"]),
         ("SINT_TO_INT", ["SINT#-128", "SINT#5"], ["INT#-128", "INT#5"]),

@@ -169,7 +169,7 @@ impl<A: Adapter> Engine for AdapterEngine<A> {
     }
 
     fn fingerprint(&self) -> Option<String> {
-        let fingerprint = Fingerprint::of(A::COMPILER.name());
+        let fingerprint = Fingerprint::of(A::COMPILER.as_str());
         self.adapter.fingerprint(fingerprint).finish()
     }
 

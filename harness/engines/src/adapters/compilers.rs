@@ -41,7 +41,7 @@ static COMPILERS: LazyLock<BTreeMap<String, CompilerData>> = LazyLock::new(|| {
 impl Compiler {
     /// Returns the data of the compiler.
     pub(super) fn data(self) -> &'static CompilerData {
-        &COMPILERS[self.name()]
+        &COMPILERS[self.as_str()]
     }
 }
 

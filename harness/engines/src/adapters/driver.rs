@@ -58,34 +58,27 @@ impl DrivenProgram<'_> {
     fn write_loop(&self, text: &mut String) {
         let scans = self.request.scans;
         let _ = writeln!(text, "    for (unsigned scan = 1; scan <= {scans}; scan++) {{");
-        write_by_scan(
-            text,
-            self.before.iter().map(|(scan, statement)| (*scan, statement)),
-        );
+        write_by_scan(text, self.before.iter().map(|(scan, one)| (Some(*scan), one)));
         let _ = writeln!(text, "        {}", self.scan);
-        let after = self.after.iter();
-        write_by_scan(
-            text,
-            after.filter_map(|(scan, statement)| Some(((*scan)?, statement))),
-        );
+        write_by_scan(text, self.after.iter().map(|(scan, one)| (*scan, one)));
         text.push_str("    }\n");
     }
 }
 
 /// Writes the statements of the scan that it is: a choice, for a program may have thousands of scans.
-fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (u32, &'s String)>) {
-    let mut by_scan: BTreeMap<u32, Vec<&str>> = BTreeMap::new();
+fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option<u32>, &'s String)>) {
+    let mut by_scan: BTreeMap<u32, String> = BTreeMap::new();
     for (scan, statement) in statements {
-        by_scan.entry(scan).or_default().push(statement);
+        let Some(scan) = scan else { continue };
+        *by_scan.entry(scan).or_default() += &format!(" {{ {statement} }}");
     }
     if by_scan.is_empty() {
         return;
     }
     text.push_str("        switch (scan) {\n");
     for (scan, statements) in by_scan {
-        let statements: Vec<String> = statements.iter().map(|one| format!("{{ {one} }}")).collect();
         // Writing into a String does not fail.
-        let _ = writeln!(text, "        case {scan}: {} break;", statements.join(" "));
+        let _ = writeln!(text, "        case {scan}:{statements} break;");
     }
     text.push_str("        }\n");
 }

@@ -103,9 +103,7 @@ mod tests {
         let timed_out = Outcome::TimedOut { after_ms: 60_000 };
         assert_eq!(suspects(&timed_out, 3), BTreeSet::from([0, 1, 2]));
         let others = [
-            Outcome::Crashed {
-                reason: "it wrote more than 16777216 bytes".to_owned(),
-            },
+            Outcome::crashed("it wrote more than 16777216 bytes"),
             failed("it could not be started".to_owned()),
         ];
         for outcome in others {

@@ -4,14 +4,11 @@
 //! many scans are copied at the end of the body, for compilers that show variables only once.
 
 use super::locate::unsupported;
-use super::source::{main_program, observed_scans};
+use super::source::{MainProgram, main_program, observed_scans};
 use crate::{Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
-
-/// The variable that counts the scans.
-const SCAN: &str = "stickler_scan";
 
 /// Returns the program of a request with what is set in it; `None` where nothing is, or there is no main program.
 pub(super) fn with_settings(request: &RunRequest<'_>) -> Option<String> {
@@ -25,14 +22,28 @@ pub(super) fn with_settings(request: &RunRequest<'_>) -> Option<String> {
         let statements = by_scan.entry(setting.before).or_default();
         let _ = write!(statements, " {} := {};", setting.name, literal(&setting.value));
     }
-    let cases = cases(&by_scan);
-    let source = request.source;
-    Some(format!(
-        "{} VAR {SCAN} : DINT; END_VAR{} {SCAN} := {SCAN} + 1; CASE {SCAN} OF{cases} END_CASE;{}",
-        &source[..main.inside.start],
-        &source[main.inside.start..main.body],
-        &source[main.body..],
-    ))
+    let program = (request.source, &main);
+    Some(with_cases(program, "stickler_scan", "", main.body, &by_scan))
+}
+
+/// Returns a program with statements at an offset of its body, by the scan in which they are executed. `counter` is the variable that counts
+/// the scans; `declared` are further variables.
+fn with_cases(
+    (source, main): (&str, &MainProgram),
+    counter: &str,
+    declared: &str,
+    at: usize,
+    by_scan: &BTreeMap<u32, String>,
+) -> String {
+    let start = main.inside.start;
+    let cases = by_scan.iter().map(|(scan, text)| format!(" {scan}:{text}"));
+    format!(
+        "{} VAR {counter} : DINT;{declared} END_VAR{} {counter} := {counter} + 1; CASE {counter} OF{} END_CASE;{}",
+        &source[..start],
+        &source[start..at],
+        cases.collect::<String>(),
+        &source[at..],
+    )
 }
 
 /// Returns the request with another program, which sets what the request does.
@@ -74,23 +85,15 @@ pub(super) fn copied_by_scan(request: &RunRequest<'_>) -> Option<CopiedByScan> {
         let _ = write!(statements, " {copy} := {};", asked.name);
         observe.push(Observation::last(&copy, &asked.type_name));
     }
-    let cases = cases(&by_scan);
-    let source = request.source;
-    let text = format!(
-        "{} VAR stickler_scan_copied : DINT;{declared} END_VAR{} stickler_scan_copied := stickler_scan_copied + 1; CASE stickler_scan_copied OF{cases} END_CASE; {}",
-        &source[..main.inside.start],
-        &source[main.inside.clone()],
-        &source[main.inside.end..],
+    let program = (request.source, &main);
+    let text = with_cases(
+        program,
+        "stickler_scan_copied",
+        &declared,
+        main.inside.end,
+        &by_scan,
     );
     Some(CopiedByScan { text, observe })
-}
-
-/// Returns the branches of CASE of the statements of scans.
-fn cases(by_scan: &BTreeMap<u32, String>) -> String {
-    by_scan
-        .iter()
-        .map(|(scan, statements)| format!(" {scan}:{statements}"))
-        .collect()
 }
 
 /// Executes a program by `run` with what is set in it. Where the compiler does not accept that, the program is given to `check` alone, to

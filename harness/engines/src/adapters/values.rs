@@ -188,7 +188,7 @@ fn value(kind: &ObservedKind<'_>, shown: &str) -> Option<Value> {
         let inside = shown.strip_prefix('\'')?.strip_suffix('\'')?;
         return Some(Value::text(ty, units(ty, inside)?));
     }
-    if ty.is_duration() || ty.is_date_or_time() {
+    if ty.is_moment() {
         return Some(Value::of_nanoseconds(ty, nanoseconds(shown)?));
     }
     if ty.is_real() {

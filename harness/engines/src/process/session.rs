@@ -56,8 +56,7 @@ impl<'e> ProcessSession<'e> {
             None => match self.command.greet(self.limits) {
                 Ok((connection, _)) => connection,
                 Err(error) => {
-                    let reason = error.to_string();
-                    return Outcome::Crashed { reason };
+                    return Outcome::crashed(error.to_string());
                 }
             },
         };
@@ -77,15 +76,11 @@ impl<'e> ProcessSession<'e> {
 
     fn failed(&self, failure: Failure, connection: Connection, limit: Duration) -> Outcome {
         match failure {
-            Failure::Ended => Outcome::Crashed {
-                reason: connection.end(),
-            },
+            Failure::Ended => Outcome::crashed(connection.end()),
             Failure::TimedOut => Outcome::TimedOut {
                 after_ms: milliseconds(limit),
             },
-            Failure::Memory(limit) => Outcome::Crashed {
-                reason: with_words(too_much(limit), &connection.kill()),
-            },
+            Failure::Memory(limit) => Outcome::crashed(with_words(too_much(limit), &connection.kill())),
             Failure::Flood => Outcome::Error {
                 message: format!("its answer is longer than {} bytes", self.limits.line),
             },

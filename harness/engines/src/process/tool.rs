@@ -192,9 +192,9 @@ fn watch(
 /// Adds the last lines that the process wrote to a crash.
 fn with_last_words(outcome: Outcome, output: &Streams) -> Outcome {
     match (outcome, output.last_words()) {
-        (Outcome::Crashed { reason }, words) if !words.is_empty() => Outcome::Crashed {
-            reason: format!("{reason}; its last words: {words}"),
-        },
+        (Outcome::Crashed { reason }, words) if !words.is_empty() => {
+            Outcome::crashed(format!("{reason}; its last words: {words}"))
+        }
         (outcome, _) => outcome,
     }
 }
@@ -206,9 +206,7 @@ fn timed_out(limits: &ToolLimits) -> Outcome {
 }
 
 fn flooded(limits: &ToolLimits) -> Outcome {
-    Outcome::Crashed {
-        reason: format!("it wrote more than {} bytes", limits.output),
-    }
+    Outcome::crashed(format!("it wrote more than {} bytes", limits.output))
 }
 
 fn within(group: &ProcessGroup, usage: &mut Watch, limits: &ToolLimits) -> Result<(), Outcome> {

@@ -9,7 +9,7 @@ use stickler_mdtest::fits;
 
 /// Returns the compiler's engine; prints why it is skipped where there is none.
 pub fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
-    match compiler.engine(compiler.name()) {
+    match compiler.engine(compiler.as_str()) {
         Ok(engine) => Some(engine),
         Err(error) => {
             // Not `eprintln`, which nobody sees when the test passes.
@@ -29,7 +29,7 @@ fn behaves(compiler: Compiler) {
     for test in tests {
         let source = block(test, "st").unwrap();
         let rows = test.rows.iter().map(|row| &row.cells);
-        for row in rows.filter(|row| row[0] == "all" || row[0] == compiler.name()) {
+        for row in rows.filter(|row| row[0] == "all" || row[0] == compiler.as_str()) {
             let asked = Asked::read(&row[1], engine.identity().dialects[0]);
             let outcome = asked.ask(engine.session().unwrap().as_mut(), &source);
             if !fits(&row[2], &shown(&outcome)) {
@@ -69,7 +69,7 @@ fn packs(compiler: Compiler) {
     for ((request, alone), packed) in requests.iter().zip(&alone).zip(packed) {
         match packed {
             Packed::Answered(outcome) => {
-                assert_eq!(&outcome, alone, "{}: {}", compiler.name(), request.source)
+                assert_eq!(&outcome, alone, "{}: {}", compiler.as_str(), request.source)
             }
             Packed::Alone | Packed::Unknown => left.push(request.source),
         }
@@ -137,7 +137,7 @@ fn a_description_of_ironplc_checks_as_its_adapter_does() {
 #[test]
 fn a_compiler_is_known_by_its_name() {
     for compiler in Compiler::ALL {
-        assert_eq!(Compiler::from_name(compiler.name()), Some(compiler));
+        assert_eq!(Compiler::from_word(compiler.as_str()), Some(compiler));
     }
-    assert_eq!(Compiler::from_name("cc"), None);
+    assert_eq!(Compiler::from_word("cc"), None);
 }

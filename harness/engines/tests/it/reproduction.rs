@@ -125,7 +125,7 @@ fn golden_reproductions_are_those_of_the_adapters() {
                     _ => Ability::Execute,
                 };
                 let request = asked.of(&source);
-                let reproduction = match Compiler::from_name(engine) {
+                let reproduction = match Compiler::from_word(engine) {
                     Some(compiler) => compiler.reproduce(&request, ability),
                     None => {
                         let table: Description = toml::from_str(&block(test, "toml").unwrap()).unwrap();
@@ -179,7 +179,7 @@ fn a_configuration_of_the_program_is_used() {
             shown(&outcome),
             "executed seen = INT#44, seen@1 = INT#42",
             "{}",
-            compiler.name()
+            compiler.as_str()
         );
         let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
         let printed = run(&reproduction, &*engine);

@@ -45,7 +45,7 @@ fn write(section: &Section, folder: &Path) {
 
 /// Returns the engine of the files in a folder, or why there is none.
 fn engine(kind: &str, section: &Section, folder: &Path) -> Result<Box<dyn Engine>, String> {
-    let engine = match Compiler::from_name(kind) {
+    let engine = match Compiler::from_word(kind) {
         Some(compiler) => {
             let named = |paths: DependencyPaths, dependency: &stickler_engines::Dependency| {
                 let path = folder.join(&dependency.key);
@@ -242,9 +242,9 @@ fn a_description_of_ironplc_does_what_its_adapter_does() {
         "die",
     ] {
         let outcome = match check(&described, please) {
-            Outcome::Crashed { reason } => Outcome::Crashed {
-                reason: reason.replace("; nothing that it wrote fits its `diagnostic`", ""),
-            },
+            Outcome::Crashed { reason } => {
+                Outcome::crashed(reason.replace("; nothing that it wrote fits its `diagnostic`", ""))
+            }
             other => other,
         };
         assert_eq!(outcome, check(adapter.as_ref(), please), "{please}");

@@ -206,7 +206,7 @@ fn integers_are_those_that_fractions_round_to() {
                 continue;
             };
             let exact = by_definition(raw, ty).unwrap();
-            for &rounding in Rounding::ALL {
+            for rounding in Rounding::ALL {
                 let expected = whole_by_fractions(&exact, rounding);
                 match to_whole(finite, rounding) {
                     Whole::Number(number) => {

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use stickler_run::{Fact, breaks_reading, expected_facts};
 use stickler_suite::{Acceptance, Case, ExpectedValue, Sources};
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{Declaration, Pou, PouKind};
+use stickler_syntax::tree::{Pou, PouKind};
 use stickler_types::{Dialect, ElementaryType, Value};
 
 /// The start of the names of the variables that become TRUE.
@@ -83,13 +83,7 @@ fn marked(case: &Case) -> String {
 fn checked(case: &Case) -> Result<String, &'static str> {
     let text = &*case.source;
     let (unit, _) = stickler_syntax::parse(text, Dialect::of(case.dialect));
-    let mut programs = unit
-        .declarations
-        .iter()
-        .filter_map(|declaration| match declaration {
-            Declaration::Pou(pou) if pou.kind == PouKind::Program => Some(pou),
-            _ => None,
-        });
+    let mut programs = unit.pous().filter(|pou| pou.kind == PouKind::Program);
     let (Some(main), None) = (programs.next(), programs.next()) else {
         return Err("they have no program, or several");
     };

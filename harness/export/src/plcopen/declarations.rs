@@ -63,6 +63,22 @@ impl PageSource<'_> {
             TypeSpecificationKind::Pointer { target, .. } => nested(xml, "pointer", [], |xml| {
                 nested(xml, "baseType", [], |xml| self.write_specification(xml, target))
             }),
+            TypeSpecificationKind::VariableLengthArray { dimensions, element } => {
+                nested(xml, "array", [], |xml| {
+                    for _ in 0..*dimensions {
+                        empty(
+                            xml,
+                            "dimension",
+                            [attribute("lower", "*"), attribute("upper", "*")],
+                        )?;
+                    }
+                    self.write_type(xml, "baseType", element)
+                })
+            }
+            TypeSpecificationKind::Union(_) => {
+                let message = "the format has no UNION; leave the cases with one out";
+                Err(io::Error::other(message))
+            }
             // The parser has reported an error of which nothing is written.
             TypeSpecificationKind::Error => Ok(()),
             TypeSpecificationKind::Text { name, length } => {

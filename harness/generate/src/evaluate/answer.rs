@@ -122,12 +122,6 @@ impl OpenQuestion {
     }
 }
 
-impl fmt::Display for OpenQuestion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.as_str())
-    }
-}
-
 /// The reason why a program has no values.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum EvaluationError {

@@ -6,7 +6,7 @@
 
 use super::profile::DialectProfile;
 use crate::random::Random;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, distinct};
 
 /// A construct that a program may use or not.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -146,16 +146,9 @@ pub(super) fn palette(
     random: &mut Random<'_, '_>,
     lacks: &dyn Fn(&str) -> bool,
 ) -> Vec<ElementaryType> {
-    let mut palette = Vec::with_capacity(MAX_TYPES);
-    for _ in 0..=random.below(MAX_TYPES) {
-        let ty = random
-            .pick(&profile.weighted_types)
-            .copied()
-            .unwrap_or(ElementaryType::Int);
-        if !palette.contains(&ty) {
-            palette.push(ty);
-        }
-    }
+    let types = 0..=random.below(MAX_TYPES);
+    let drawn = types.map(|_| random.pick(&profile.weighted_types).copied());
+    let mut palette = distinct(drawn.map(|ty| ty.unwrap_or(ElementaryType::Int)));
     palette.retain(|ty| !lacks(ty.name()));
     if palette.is_empty() {
         let there = |ty: &ElementaryType| !lacks(ty.name());

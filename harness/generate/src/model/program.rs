@@ -1,7 +1,7 @@
 //! Whole programs: types, functions, function blocks and the main program.
 
 use super::{Expression, Statement, Type, TypeDeclaration};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, words};
 
 /// A program of one dialect, in the order of its text: types, functions, function blocks, `PROGRAM main`.
 ///
@@ -69,19 +69,20 @@ pub struct Variable {
     pub initial: Option<InitialValue>,
 }
 
-/// The section in which a variable is declared.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum VariableSection {
-    /// The section VAR.
-    Local,
-    /// The section VAR CONSTANT: the variable has an initial value, and is never assigned.
-    Constant,
-    /// The section VAR_INPUT.
-    Input,
-    /// The section VAR_OUTPUT.
-    Output,
-    /// The section VAR_IN_OUT, in function blocks only.
-    InOut,
+words! {
+    /// The section in which a variable is declared.
+    VariableSection {
+        /// The section VAR.
+        Local = "VAR",
+        /// The section VAR CONSTANT: the variable has an initial value, and is never assigned.
+        Constant = "VAR CONSTANT",
+        /// The section VAR_INPUT.
+        Input = "VAR_INPUT",
+        /// The section VAR_OUTPUT.
+        Output = "VAR_OUTPUT",
+        /// The section VAR_IN_OUT, in function blocks only.
+        InOut = "VAR_IN_OUT",
+    }
 }
 
 /// The initial value of a variable.

@@ -66,11 +66,11 @@ fn by_name(name: &str) -> Result<Box<dyn Engine>, String> {
         return Ok(Box::new(Reference::default()));
     } else if let Some(line) = name.strip_prefix(COMMAND) {
         ProcessEngine::start(line, ProcessLimits::default()).map(|engine| Box::new(engine) as Box<dyn Engine>)
-    } else if let Some(compiler) = Compiler::from_name(name) {
+    } else if let Some(compiler) = Compiler::from_word(name) {
         compiler.engine(name)
     } else {
         let compilers = Compiler::ALL
-            .map(|compiler| format!("`{}`", compiler.name()))
+            .map(|compiler| format!("`{}`", compiler.as_str()))
             .join(", ");
         return Err(format!(
             "{ENGINE} is `{name}`; it must be `{REFERENCE}`, {compilers}, or `{COMMAND}` and the command line of an adapter"
@@ -123,25 +123,13 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Judged {
 mod tests {
     use super::*;
     use crate::variants::tests::everything;
+    use stickler_engines::ClosureEngine;
     use stickler_types::Value;
 
-    /// An engine that always gives the same answer.
-    struct Stubborn(Outcome);
-
-    impl Session for Stubborn {
-        fn run(&mut self, _: &RunRequest<'_>) -> Outcome {
-            self.0.clone()
-        }
-        fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-            self.0.clone()
-        }
-        fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-            self.0.clone()
-        }
-    }
-
+    /// Judges an engine that always gives the same answer.
     fn judged(outcome: Outcome) -> Result<InputOutcome, String> {
-        let judged = judge_on(&mut Stubborn(outcome), &everything());
+        let engine = ClosureEngine::new("stubborn", move |_, _| outcome.clone());
+        let judged = judge_on(engine.session().unwrap().as_mut(), &everything());
         judged.map_err(|failure| failure.symptom)
     }
 
@@ -162,8 +150,10 @@ mod tests {
         let mut values = evaluate(&everything(), 1).unwrap().values;
         values[1].1 = Value::parse("INT#-1").unwrap();
         assert_eq!(judged(Outcome::executed(values)), Err("value:INT".to_owned()));
-        let reason = "segmentation fault".to_owned();
-        assert_eq!(judged(Outcome::Crashed { reason }), Err("crash".to_owned()));
+        assert_eq!(
+            judged(Outcome::crashed("segmentation fault")),
+            Err("crash".to_owned())
+        );
         assert_eq!(judged(Outcome::TimedOut { after_ms: 9 }), Err("hang".to_owned()));
         let reason = "no arrays".to_owned();
         let unsupported = judged(Outcome::Unsupported { reason });
@@ -178,9 +168,8 @@ mod tests {
         let mut program = everything();
         // Without its assignment behind the loop, the loop's variable is open.
         program.main.body.truncate(1);
-        let judged = judge_on(&mut Stubborn(Outcome::ACCEPTED), &program);
         assert_eq!(
-            judged,
+            judge_on(Reference::default().session().unwrap().as_mut(), &program),
             Ok(InputOutcome::Skipped("poisoned by what documents leave open"))
         );
     }

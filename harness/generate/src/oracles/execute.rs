@@ -208,7 +208,7 @@ mod tests {
         let program = crate::variants::tests::everything();
         let text = write(&program, &Style::default()).text;
         let evaluation = evaluate(&program, 1).unwrap();
-        for variant in Variant::ALL.iter().copied() {
+        for variant in Variant::ALL {
             for seed in 0..20 {
                 let choices = choice_bytes(&[seed]);
                 if let Some(varied) = variant.text(&program, &mut Unstructured::new(&choices)) {

@@ -115,8 +115,10 @@ impl<'t, 's: 't> Visitor<'t, 's> for SpanChecker<'_> {
                 values.iter().for_each(|(name, _)| self.name(name, outer));
             }
             TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Pointer { .. }
             | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Union(_)
             | TypeSpecificationKind::Error => {}
         }
     }

@@ -101,6 +101,7 @@ impl Reader<'_> {
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
             | tree::ExpressionKind::Dereference { .. }
+            | tree::ExpressionKind::Assigned { .. }
             | tree::ExpressionKind::Error => None,
         }
     }
@@ -213,7 +214,7 @@ impl Reader<'_> {
         left: ExpressionId,
         right: ExpressionId,
     ) -> Option<Expression> {
-        let operator = BinaryOperator::from_word(operator.symbol())?;
+        let operator = BinaryOperator::from_word(operator.as_str())?;
         let (left, right) = match (self.own(left), self.own(right)) {
             (Some(one), Some(two)) => match (self.widens(&one.ty, &two.ty), self.widens(&two.ty, &one.ty)) {
                 _ if one.ty == two.ty => (one, two),

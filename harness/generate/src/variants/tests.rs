@@ -79,7 +79,7 @@ fn what_changes_the_model_changes_no_value() {
 
 #[test]
 fn every_variant_has_another_text_for_a_program_that_has_everything() {
-    for variant in Variant::ALL.iter().copied() {
+    for variant in Variant::ALL {
         let varied =
             (0..20).filter_map(|seed| variant.text(&everything(), &mut Unstructured::new(&bytes(seed))));
         let canonical = write(&everything(), &Style::default()).text;

@@ -2,9 +2,7 @@
 
 use super::source_writer::SourceWriter;
 use super::style::Style;
-use crate::model::{
-    DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable, VariableSection,
-};
+use crate::model::{DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable};
 
 /// The text of a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -59,13 +57,7 @@ impl<'p> SourceWriter<'p> {
     fn section(&mut self, declared: &[Variable]) {
         let Some(first) = declared.first() else { return };
         self.new_line();
-        self.word(match first.section {
-            VariableSection::Local => "VAR",
-            VariableSection::Constant => "VAR CONSTANT",
-            VariableSection::Input => "VAR_INPUT",
-            VariableSection::Output => "VAR_OUTPUT",
-            VariableSection::InOut => "VAR_IN_OUT",
-        });
+        self.word(first.section.as_str());
         self.deeper();
         for variable in declared {
             self.new_line();

@@ -190,7 +190,7 @@ impl Rule {
     #[must_use]
     pub fn all() -> Vec<Rule> {
         let pairs = |claim: fn(PairKind) -> ConversionClaim, faults: &'static [ClaimBreach]| {
-            let rules = PairKind::ALL.iter().flat_map(move |&kind| {
+            let rules = PairKind::ALL.into_iter().flat_map(move |kind| {
                 let claim = claim(kind);
                 faults.iter().map(move |&fault| Rule { claim, fault })
             });
@@ -200,7 +200,7 @@ impl Rule {
             ConversionClaim::Implicit,
             &[ClaimBreach::Refused, ClaimBreach::Wrong, ClaimBreach::Admitted],
         );
-        rules.extend(LiteralPair::ALL.iter().flat_map(|&pair| {
+        rules.extend(LiteralPair::ALL.into_iter().flat_map(|pair| {
             let claim = ConversionClaim::Literal(pair);
             [ClaimBreach::Refused, ClaimBreach::Admitted].map(|fault| Rule { claim, fault })
         }));

@@ -1,7 +1,7 @@
 //! Runs the cases of the suite against every saboteur, and counts how many notice.
 
 use super::analysis::Analysis;
-use super::saboteur::{SabotagedReference, Saboteur};
+use super::saboteur::Saboteur;
 use super::site::sites;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -87,7 +87,7 @@ fn try_case(
         case.key()
     );
     for saboteur in saboteurs {
-        let engine = SabotagedReference::new(saboteur);
+        let engine = saboteur.engine();
         let answers = ask(&mut EngineSession::open(&engine)?, case)?;
         let broken = answers
             .outcomes()

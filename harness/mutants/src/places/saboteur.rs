@@ -5,7 +5,7 @@ use super::change::{self, SourceChange};
 use super::claim::Rule;
 use super::site::{Site, sites};
 use std::fmt;
-use stickler_engines::{Engine, EngineError, Identity, NamedValue, Outcome, Reference, RunRequest, Session};
+use stickler_engines::{ClosureEngine, Outcome, RunRequest, Session};
 use stickler_reference::{self as reference, Limits};
 use stickler_types::Dialect;
 use stickler_types::{Diagnostic, DialectName, ElementaryType};
@@ -81,83 +81,52 @@ impl fmt::Display for BrokenPlace {
     }
 }
 
-/// The reference with one claim broken in one place.
-#[derive(Clone, Debug)]
-pub struct SabotagedReference {
-    identity: Identity,
-    saboteur: Saboteur,
-}
-
-impl SabotagedReference {
-    /// Returns the engine of a saboteur.
+impl Saboteur {
+    /// Returns the reference with the claim of the saboteur broken in its place.
     #[must_use]
-    pub fn new(saboteur: Saboteur) -> SabotagedReference {
-        let identity = Identity {
-            name: saboteur.to_string(),
-            ..Reference::new().identity().clone()
-        };
-        SabotagedReference { identity, saboteur }
-    }
-}
-
-impl Engine for SabotagedReference {
-    fn identity(&self) -> &Identity {
-        &self.identity
+    pub fn engine(self) -> ClosureEngine<'static> {
+        let mut engine = ClosureEngine::new(&self.to_string(), move |reference, request| {
+            self.run(reference, request)
+        });
+        engine.render = Some(Box::new(move |dialect, source| self.render(dialect, source)));
+        engine
     }
 
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(SabotagedSession(self.saboteur)))
-    }
-}
-
-struct SabotagedSession(Saboteur);
-
-impl SabotagedSession {
-    /// Returns the program with the changes of the saboteur; `None` where it changes nothing.
-    fn sabotaged<'s>(&self, source: &'s str, dialect: &Dialect, rendered: bool) -> Option<Analysis<'s>> {
-        let mut analysis = Analysis::new(source, dialect);
+    /// Returns a program with the changes of the saboteur; `None` where it changes nothing.
+    fn sabotaged(self, source: &str, dialect: DialectName, rendered: bool) -> Option<Analysis<'_>> {
+        let mut analysis = Analysis::new(source, Dialect::of(dialect));
         let sites = sites(&analysis, rendered);
-        let changes = self.0.changes(&sites);
+        let changes = self.changes(&sites);
         if changes.is_empty() {
             return None;
         }
         change::apply(&mut analysis, changes);
         Some(analysis)
     }
-}
 
-impl Session for SabotagedSession {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        let dialect = Dialect::of(request.dialect);
-        let outcome = match self.sabotaged(request.source, dialect, false) {
-            None => reference::run(request, Limits::default()),
-            Some(analysis) if analysis.is_rejected() => Ok(Outcome::rejected(located(analysis))),
-            Some(analysis) => {
-                let outcome = match &analysis.program {
-                    Some(program) => reference::execute(program, request, Limits::default()),
-                    None => Ok(Outcome::ACCEPTED),
-                };
-                outcome.map(|outcome| outcome.with_warnings(located(analysis)))
-            }
+    fn run(self, unchanged: &mut dyn Session, request: &RunRequest<'_>) -> Outcome {
+        let Some(analysis) = self.sabotaged(request.source, request.dialect, false) else {
+            return unchanged.run(request);
         };
-        outcome.unwrap_or_else(|error| Outcome::Error {
-            message: error.to_string(),
-        })
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let no_values: &[NamedValue] = &[];
-        let request = RunRequest::once(dialect, source, &[]);
-        match self.run(&request) {
-            Outcome::Executed { values, .. } if values == no_values => Outcome::ACCEPTED,
-            outcome => outcome,
+        if analysis.is_rejected() {
+            return Outcome::rejected(located(analysis));
+        }
+        let outcome = match &analysis.program {
+            Some(program) => reference::execute(program, request, Limits::default()),
+            None => Ok(Outcome::ACCEPTED),
+        };
+        match outcome {
+            Ok(outcome) => outcome.with_warnings(located(analysis)),
+            Err(error) => Outcome::Error {
+                message: error.to_string(),
+            },
         }
     }
 
-    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let rendered = match self.sabotaged(source, Dialect::of(dialect), true) {
+    fn render(self, dialect: DialectName, source: &str) -> Outcome {
+        let rendered = match self.sabotaged(source, dialect, true) {
             Some(analysis) if !analysis.is_rejected() => Ok(stickler_syntax::render(&analysis.unit, source)),
-            Some(analysis) if self.0.rule.refuses_rendering() => Err(located(analysis)),
+            Some(analysis) if self.rule.refuses_rendering() => Err(located(analysis)),
             _ => reference::render(source, dialect),
         };
         match rendered {

@@ -5,7 +5,7 @@ use super::claim::Rule;
 use super::explained::ExplainedSaboteurs;
 use super::matrix::required;
 use super::measure::{Tally, measure};
-use super::saboteur::{BrokenPlace, SabotagedReference, Saboteur};
+use super::saboteur::{BrokenPlace, Saboteur};
 use super::site::sites;
 use super::table::Judged;
 use std::collections::BTreeSet;
@@ -33,7 +33,7 @@ const PROGRAM: &str = include_str!("tests/program.st");
 
 /// Returns what a program does where a rule is broken in a place: the values of its variables, or the lines of its errors.
 fn reported(rule: &str, place: BrokenPlace) -> String {
-    let engine = SabotagedReference::new(saboteur(rule, place));
+    let engine = saboteur(rule, place).engine();
     let observe = ["plain", "list[0]", "given", "bit"].map(|name| Observation::last(name, ""));
     let request = RunRequest::once(DialectName::IRONPLC_ED3, PROGRAM, &observe);
     let mut session = EngineSession::open(&engine).expect("it opens");
@@ -75,7 +75,7 @@ fn a_rule_is_broken_in_its_place_and_nowhere_else() {
 fn an_error_that_is_admitted_is_not_reported() {
     let source = "PROGRAM main\nVAR a : INT; b : SINT; END_VAR\nb := a;\nb := -129;\nEND_PROGRAM\n";
     let left = |rule: &str| {
-        let engine = SabotagedReference::new(saboteur(rule, BrokenPlace::Target("assignment")));
+        let engine = saboteur(rule, BrokenPlace::Target("assignment")).engine();
         let mut session = EngineSession::open(&engine).expect("it opens");
         let outcome = session.check(DialectName::IRONPLC_ED3, source);
         let Outcome::Rejected { diagnostics } = outcome.expect("it answers") else {

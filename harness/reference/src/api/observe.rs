@@ -96,11 +96,25 @@ pub(super) fn resolve(program: &CheckedProgram, name: &str) -> Result<ObservedVa
 }
 
 fn read(place: &ObservedVariable, machine: &Machine<'_>) -> Option<Value> {
+    let plain = |ty| match place.bytes {
+        Some(size) => machine.plain_in_bytes(place.address, size, ty),
+        None => machine.plain(place.address),
+    };
     match &place.ty {
-        ObservedType::Plain(ty) => Some(Value::plain(*ty, machine.plain(place.address)?)),
+        ObservedType::Plain(ty) => Some(Value::plain(*ty, plain(*ty)?)),
+        ObservedType::Text(ty) if place.bytes.is_some() => {
+            let size = place.bytes.unwrap_or_default();
+            let step = 1 + u32::from(*ty == ElementaryType::Wstring);
+            let positions = (0..size).step_by(step as usize);
+            let units = positions.map_while(|at| {
+                let unit = machine.plain_in_bytes(place.address + at, step, ElementaryType::Word)?;
+                u16::try_from(unit).ok().filter(|&unit| unit != 0)
+            });
+            Some(Value::text(*ty, units.collect()))
+        }
         ObservedType::Text(ty) => Some(Value::text(*ty, machine.text(place.address)?.to_vec())),
         ObservedType::Enumerated { type_name, values } => {
-            let raw = machine.plain(place.address)?;
+            let raw = plain(ElementaryType::Int)?;
             let named = values.iter().find(|(value, _)| value.cast_unsigned() == raw);
             // Only named values can be assigned; a number would be a defect, and shows as one.
             Some(

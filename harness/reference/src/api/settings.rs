@@ -81,6 +81,12 @@ impl<'a> ResolvedSetting<'a> {
         }
         check_scan(&setting.name, setting.before, scans)?;
         let place = resolve(program, &setting.name)?;
+        if place.bytes.is_some() {
+            return Err(RequestError::UnknownName {
+                name: setting.name.to_string(),
+                reason: "a field of a UNION cannot be set from outside".to_owned(),
+            });
+        }
         let value = matching(&place.ty, &setting.value).ok_or_else(|| RequestError::WrongType {
             name: setting.name.to_string(),
             expected: type_name(&place.ty).to_owned(),

@@ -138,7 +138,7 @@ fn reals() -> impl Iterator<Item = f64> {
 #[test]
 fn reals_become_integers_modulo_the_target_s_width_or_the_nearest_that_it_holds() {
     for value in reals() {
-        for &rounding in Rounding::ALL {
+        for rounding in Rounding::ALL {
             let whole = integer_modulo(value, rounding).cast_signed();
             // Beyond 2^62 the numbers are whole, and below 128 bits hold them.
             let unbounded = if value.abs() < 4e18 {
@@ -240,7 +240,7 @@ fn many_values_are_converted_as_each_one_is() {
             .map(move |&out_of_range| (rounding, out_of_range))
     };
     let plain = || ElementaryType::ALL.into_iter().filter(|ty| !ty.is_text());
-    for (rounding, out_of_range) in Rounding::ALL.iter().flat_map(|&rounding| outside(rounding)) {
+    for (rounding, out_of_range) in Rounding::ALL.into_iter().flat_map(outside) {
         let choices = ConversionChoices {
             out_of_range,
             ..COMMON_CHOICES.with_rounding(rounding)

@@ -113,7 +113,7 @@ pub fn negate(ty: ElementaryType, value: u64) -> u64 {
     match ty {
         ElementaryType::Real => of_single(-single(value)),
         ElementaryType::Lreal => (-f64::from_bits(value)).to_bits(),
-        _ if ty.is_date_or_time() || ty.is_duration() => value.wrapping_neg(),
+        _ if ty.is_moment() => value.wrapping_neg(),
         _ => narrow(value.wrapping_neg(), ty),
     }
 }

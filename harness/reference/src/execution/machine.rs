@@ -172,6 +172,15 @@ impl<'p> Machine<'p> {
                     self.operands.push(address.wrapping_add(offset));
                 }
 
+                Instruction::SubscriptWithin { unsigned } => {
+                    let (high, stride) = self.pop_pair()?;
+                    let low = self.pop()?;
+                    let (address, subscript) = self.pop_pair()?;
+                    let limits = (low.cast_signed(), high.cast_signed());
+                    let offset = element(subscript, limits, unsigned)?.wrapping_mul(stride);
+                    self.operands.push(address.wrapping_add(offset));
+                }
+
                 Instruction::Load(address) => self.operands.push(self.memory.load(address)?),
                 Instruction::Store(address) => {
                     let value = self.pop()?;
@@ -196,6 +205,8 @@ impl<'p> Machine<'p> {
                 Instruction::Locate(layout) => self.locate(layout)?,
                 Instruction::Peek(layout) => self.peek(layout)?,
                 Instruction::Poke(layout) => self.poke(layout)?,
+                Instruction::Gather(layout) => self.transfer(layout, true)?,
+                Instruction::Scatter(layout) => self.transfer(layout, false)?,
 
                 Instruction::Part(part) => {
                     let value = self.pop()?;

@@ -31,7 +31,11 @@ impl<'p> Machine<'p> {
             return Err(FaultKind::NullDereference.into());
         }
         match self.program.addresses.find(address, wanted) {
-            Some((object, ..)) if object.frame.is_some_and(|body| !self.is_running(body)) => {
+            Some((object, ..))
+                if object
+                    .frame
+                    .is_some_and(|frame| !frame.iter().any(|&routine| self.is_running(routine))) =>
+            {
                 Err(FaultKind::InvalidAddress.into())
             }
             Some((_, layout, cell, within)) => Ok((self.layout(layout)?, cell, within)),
@@ -92,6 +96,82 @@ impl<'p> Machine<'p> {
             }
         }
         Ok(())
+    }
+
+    /// Pops an address in bytes and that of a cell, and copies a value to the cells, or from them.
+    pub(super) fn transfer(&mut self, id: LayoutId, to_cells: bool) -> Result<(), Halt> {
+        let cell = self.pop_address()?;
+        let address = self.pop()?;
+        self.transfer_value(id, (address, cell), to_cells)
+    }
+
+    fn transfer_value(
+        &mut self,
+        id: LayoutId,
+        (address, cell): (u64, Address),
+        to_cells: bool,
+    ) -> Result<(), Halt> {
+        self.spend(1)?;
+        let layout = self.layout(id)?;
+        match &layout.kind {
+            LayoutKind::Plain(_) if to_cells => {
+                self.operands.push(address);
+                self.peek(id)?;
+                let value = self.pop()?;
+                self.memory.store(cell, value)
+            }
+            LayoutKind::Plain(_) => {
+                self.operands.extend([address, self.memory.load(cell)?]);
+                self.poke(id)
+            }
+            LayoutKind::Text(ty, capacity) => {
+                let step = 1 + u64::from(*ty == ElementaryType::Wstring);
+                let mut units = vec![0; *capacity as usize];
+                if !to_cells {
+                    units = [self.memory.text(cell)?, &[0]].concat();
+                }
+                for (unit, position) in units.iter_mut().zip(0..) {
+                    for (shift, byte) in [0, 8].into_iter().zip(0..step) {
+                        let new = (!to_cells).then_some((*unit >> shift) as u8);
+                        let at = address.wrapping_add(position * step + byte);
+                        *unit |= u16::from(self.byte(at, id, new)?) << shift;
+                    }
+                }
+                let length = units.iter().position(|&unit| unit == 0);
+                match to_cells {
+                    true => self
+                        .memory
+                        .store_text(cell, &units[..length.unwrap_or(units.len())]),
+                    false => Ok(()),
+                }
+            }
+            LayoutKind::Array(element) => {
+                let one = self.layout(*element)?;
+                for index in 0..layout.cells / one.cells {
+                    let address = address.wrapping_add((index * one.size).into());
+                    self.transfer_value(*element, (address, cell + index * one.cells), to_cells)?;
+                }
+                Ok(())
+            }
+            LayoutKind::Members(members) => {
+                for &([bytes, cells], member) in members {
+                    self.transfer_value(
+                        member,
+                        (address.wrapping_add(bytes.into()), cell + cells),
+                        to_cells,
+                    )?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The raw form of a plain value of some bytes, each of which lies in a cell of its own; `None` where there are no such cells.
+    #[must_use]
+    pub fn plain_in_bytes(&self, cell: Address, size: u32, ty: ElementaryType) -> Option<u64> {
+        let mut bytes = (0..size).rev();
+        let bits = bytes.try_fold(0, |bits, index| Some(bits << 8 | self.plain(cell + index)?))?;
+        Some(raw_form(ty, size, bits))
     }
 
     fn plain_layout(&self, id: LayoutId) -> Result<(ElementaryType, u32), Halt> {

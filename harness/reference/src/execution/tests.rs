@@ -78,6 +78,7 @@ fn instruction(text: &str) -> Instruction {
         "instance-address" => InstanceAddress(small(1)),
         "dereference" => Dereference,
         "offset" => Offset(small(1)),
+        "subscript-within" => Instruction::SubscriptWithin { unsigned },
         "subscript" => Subscript {
             low: number(1),
             high: number(2),

@@ -108,6 +108,9 @@ impl<'m> Lowering<'m> {
                     negated,
                     target,
                 } => match self.output(entry, *name, &mut given) {
+                    Some(output) if self.model.variable(output).limits > 0 && !negated => {
+                        bound.inputs.push((output, *target));
+                    }
                     Some(output) => bound.captures.push(Capture {
                         output,
                         negated: *negated,
@@ -124,7 +127,7 @@ impl<'m> Lowering<'m> {
     fn parameter(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
         let found = self.local(entry, name.text).filter(|&index| {
             matches!(
-                self.model.variable(index).kind,
+                self.model.variable(index).section,
                 VariableKind::Input | VariableKind::InOut
             )
         });
@@ -138,7 +141,7 @@ impl<'m> Lowering<'m> {
 
     fn output(&mut self, entry: &PouEntry<'_>, name: Name<'_>, given: &mut FxHashSet<u32>) -> Option<u32> {
         let found = self.local(entry, name.text).filter(|&index| {
-            self.model.variable(index).kind == VariableKind::Output && entry.result != Some(index)
+            self.model.variable(index).section == VariableKind::Output && entry.result != Some(index)
         });
         let Some(output) = found else {
             let code = if entry.is_function() {
@@ -176,8 +179,9 @@ impl<'m> Lowering<'m> {
         }
         bound.omitted = true;
         let given: FxHashSet<_> = bound.inputs.iter().map(|&(parameter, _)| parameter).collect();
-        let mut in_outs = levels.iter().flat_map(|level| &level.in_outs);
-        let missing = in_outs.find(|parameter| !given.contains(parameter));
+        let is_in_out = |parameter: u32| self.model.variable(parameter).kind == VariableKind::InOut;
+        let mut parameters = levels.iter().flat_map(|level| &level.parameters);
+        let missing = parameters.find(|&&parameter| is_in_out(parameter) && !given.contains(&parameter));
         let Some(&missing) = missing.filter(|_| !bound.unknown) else {
             return;
         };
@@ -187,6 +191,6 @@ impl<'m> Lowering<'m> {
             Code::FunctionInvocationMissingInput
         };
         let name = self.model.variable(missing).name.text;
-        self.report(code, call, format!("VAR_IN_OUT `{name}` needs an argument"));
+        self.report(code, call, format!("`{name}` needs an argument"));
     }
 }

@@ -101,29 +101,22 @@ impl<'m> Lowering<'m> {
         let ExpressionKind::Field { base, .. } = self.expression(id).kind else {
             return false;
         };
-        match self.infer(base) {
-            Inferred::Known(ty) => matches!(
-                self.model.types.kind(ty),
-                TypeKind::FunctionBlock(_) | TypeKind::Interface(_)
-            ),
-            _ => false,
-        }
+        let ty = self.known_type(base);
+        ty.is_some_and(|ty| self.model.types.object(ty).is_some())
     }
 
     fn named_callee(&self, name: Name<'_>) -> Callee {
         match self.model.definitions.get(&CaseFolded(name.text)) {
-            Some(&TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].pou.kind {
-                PouKind::Function => return Callee::Function(pou),
-                PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => {
-                    return Callee::Nothing(
+            Some(&TopLevelName::Pou(pou)) => {
+                return match self.model.pous[pou as usize].pou.kind {
+                    PouKind::Function => Callee::Function(pou),
+                    PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => Callee::Nothing(
                         Code::FunctionBlockNotInScope,
                         "is a type of function block; what is called is a variable of that type",
-                    );
-                }
-                _ => {
-                    return Callee::Nothing(Code::FunctionCallUndeclared, "is a program, no function");
-                }
-            },
+                    ),
+                    _ => Callee::Nothing(Code::FunctionCallUndeclared, "is a program, no function"),
+                };
+            }
             Some(TopLevelName::Type(_)) => {
                 return Callee::Nothing(Code::FunctionCallUndeclared, "is a type, no function");
             }

@@ -13,7 +13,7 @@ use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::Instruction;
-use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionId};
 use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType, MomentUnits};
 
@@ -33,17 +33,12 @@ impl Lowering<'_> {
         self.infer(id);
         let mut links = Vec::new();
         let (mut at, mut wanted) = (id, wanted);
-        while let ExpressionKind::Binary {
-            operator,
-            left,
-            right,
-        } = self.expression(at).kind
-        {
+        while let Some((operator, left, right)) = self.expression(at).binary() {
             let operands = (self.infer(left), self.infer(right));
             let operation = match self.operation(operator, operands, wanted) {
                 OperatorSignature::Defined(operation) => Some(operation),
                 OperatorSignature::Undefined => {
-                    let message = self.undefined(operator.symbol(), operands);
+                    let message = self.undefined(operator.as_str(), operands);
                     self.report(self.undefined_code(operator, operands), self.span(at), message);
                     None
                 }
@@ -142,6 +137,9 @@ impl Lowering<'_> {
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.
     pub(super) fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
+        if self.model.types.is_interface(to) && self.refuses_reference(id, Inferred::Known(value.ty), to) {
+            return LoweredValue::ERROR;
+        }
         if self.refuses_derived(id, Inferred::Known(value.ty), to) {
             self.report_derived(id, Inferred::Known(value.ty), to, ValueContext::Operand);
             return LoweredValue::ERROR;

@@ -23,13 +23,7 @@ pub fn check(
     lines: &LineIndex,
     dialect: &Dialect,
 ) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>) {
-    let source = SourceText {
-        unit,
-        text,
-        lines,
-        dialect,
-    };
-    let (checked, diagnostics, _) = lower(source, None);
+    let (checked, diagnostics, _) = lower(unit, text, lines, dialect, None);
     (checked, diagnostics)
 }
 
@@ -42,19 +36,22 @@ pub fn check_traced(
     lines: &LineIndex,
     dialect: &Dialect,
 ) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>, Vec<TracedUse>) {
+    lower(unit, text, lines, dialect, Some(Trace::default()))
+}
+
+fn lower(
+    unit: &SourceUnit<'_>,
+    text: &str,
+    lines: &LineIndex,
+    dialect: &Dialect,
+    trace: Option<Trace>,
+) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>, Vec<TracedUse>) {
     let source = SourceText {
         unit,
         text,
         lines,
         dialect,
     };
-    lower(source, Some(Trace::default()))
-}
-
-fn lower(
-    source: SourceText<'_>,
-    trace: Option<Trace>,
-) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>, Vec<TracedUse>) {
     let mut reporter = Reporter::default();
     let (model, memory) = declare(source, &mut reporter);
     let mut lowering = Lowering::new(&model, memory, &mut reporter);

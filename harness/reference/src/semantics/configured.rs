@@ -4,7 +4,7 @@
 //! Basis: iec-61131-3: 2.7.1 of the second edition, 6.5.5.3 and 6.8.1 of the third.
 
 use super::declare::Declarer;
-use super::model::ConfiguredValue;
+use super::model::{ConfiguredValue, TopLevelName};
 use super::types::TypeId;
 use rustc_hash::FxHashSet;
 use stickler_syntax::tree::{CaseFolded, Configuration, Name, PouKind, VariableGroup, VariableKind};
@@ -49,6 +49,19 @@ impl<'u> Declarer<'u, '_> {
             _ => path.text,
         };
         let written = self.specification(&group.specification, path_text);
+        // Of a program that is not declared nothing more is said.
+        let mut programs = configuration
+            .resources
+            .iter()
+            .flat_map(|resource| &resource.programs);
+        let first = path_text.split('.').next().unwrap_or_default();
+        let is_program = |name: &str| {
+            let found = self.model.definitions.get(&CaseFolded(name));
+            matches!(found, Some(TopLevelName::Pou(_)))
+        };
+        if programs.any(|program| program.name.is(first) && !is_program(program.type_name.text)) {
+            return;
+        }
         let Some((instance, offset, ty)) = self.configured_place(path_text) else {
             let message = format!("no program instance of the configuration has a variable `{path_text}`");
             self.report(Code::VariableUndefined, path.span, message);

@@ -25,12 +25,7 @@ impl<'m> Lowering<'m> {
     pub(super) fn constant_number(&mut self, id: ExpressionId) -> Option<i128> {
         let mut spine = Vec::new();
         let mut at = id;
-        while let ExpressionKind::Binary {
-            operator,
-            left,
-            right,
-        } = self.expression(at).kind
-        {
+        while let Some((operator, left, right)) = self.expression(at).binary() {
             spine.push((at, operator, right));
             at = left;
         }

@@ -88,10 +88,13 @@ pub(super) fn fit(
     let elementary = target.elementary();
     let fits = match value {
         Inferred::Error | Inferred::Pending => return Fit::Silent,
+        // Its reading is what is wrong.
+        Inferred::Known(ty) if types.is_variable_length(ty) => return Fit::Silent,
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target || types.is_same(ty, target) => true,
-        Inferred::Known(ty) if matches!(types.kind(target), TypeKind::Interface(_)) => {
-            types.derives(ty, target)
+        Inferred::Known(ty) if types.is_interface(target) => {
+            // NULL refers to no instance.
+            types.derives(ty, target) || ty == TypeId::ADDRESS
         }
         Inferred::Known(ty) if types.pointer(ty).or(types.pointer(target)).is_some() => {
             fits_pointer(ty, target, types, dialect)

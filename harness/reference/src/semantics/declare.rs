@@ -2,6 +2,7 @@
 //! names, global variables with the values of constants, types and function blocks, the other POUs, the types of
 //! global variables, and last the addresses.
 
+use super::address_layouts::AddressLayouts;
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{
@@ -36,6 +37,8 @@ pub(super) struct Declarer<'u, 'r> {
     /// Reference and pointer types whose targets are resolved once all types are known, with the POU and the name for each; `None` from
     /// then on.
     pub(super) pointers: Option<Vec<PendingPointer<'u>>>,
+    /// The sizes in bytes of what stands in unions.
+    pub(super) layouts: AddressLayouts,
     /// Whether a type of a later edition has been met.
     pub(super) later: bool,
     /// Room for the inferred types of constant expressions, which are lowered one by one.
@@ -73,7 +76,7 @@ pub(super) struct Deferred<'u> {
 pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (Model<'u>, MemoryLayout) {
     let model = Model {
         source,
-        types: TypeTable::new(),
+        types: TypeTable::default(),
         definitions: Scope::default(),
         declared_types: Vec::new(),
         pous: Vec::new(),
@@ -96,6 +99,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         current: None,
         deferred: Vec::new(),
         pointers: Some(Vec::new()),
+        layouts: AddressLayouts::default(),
         later: false,
         inferred: Vec::new(),
         guesses: 20,
@@ -166,7 +170,6 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
-            in_outs: Vec::new(),
             ty: TypeId::ERROR,
             body,
             initial,

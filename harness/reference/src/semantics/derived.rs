@@ -76,7 +76,8 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn known_type(&mut self, id: ExpressionId) -> Option<TypeId> {
+    /// Returns the type of an expression that has one by itself.
+    pub(super) fn known_type(&mut self, id: ExpressionId) -> Option<TypeId> {
         match self.infer(id) {
             Inferred::Known(ty) => Some(ty),
             _ => None,

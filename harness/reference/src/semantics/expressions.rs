@@ -193,6 +193,14 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Call { callee, arguments } => self.call(id, *callee, arguments, wanted),
             ExpressionKind::Unary { operator, operand } => self.unary(id, *operator, *operand, wanted),
             ExpressionKind::Binary { .. } => self.chain(id, wanted),
+            ExpressionKind::Assigned { target, value } => {
+                self.assignment(*target, *value);
+                // What is wrong with the target has been said.
+                let muted = self.reporter.mute(true);
+                let value = self.read(*target);
+                self.reporter.mute(muted);
+                value
+            }
             ExpressionKind::Parenthesized(inner) => self.value(*inner, wanted),
             ExpressionKind::Error => LoweredValue::ERROR,
         }

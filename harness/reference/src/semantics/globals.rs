@@ -4,7 +4,7 @@
 
 use super::constant::Constant;
 use super::declare::Declarer;
-use super::model::{DeclaredVariable, Storage};
+use super::model::DeclaredVariable;
 use super::types::TypeId;
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{CaseFolded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
@@ -60,24 +60,20 @@ impl<'u> Declarer<'u, '_> {
             let message = format!("global variable `{}` is already declared", name.text);
             self.report(Code::SymbolDeclDuplicated, name.span, message);
         }
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty: TypeId::ERROR,
-            kind: VariableKind::Global,
-            constant: block.constant,
-            is_public: false,
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
-            value,
-        });
+        let variable =
+            DeclaredVariable::new(name, TypeId::ERROR, VariableKind::Global).declared(block, group);
+        self.model.variables.push(DeclaredVariable { value, ..variable });
     }
 
     /// Gives VAR_IN_OUT and VAR_EXTERNAL their types, and the latter the variables that they stand for.
     pub(super) fn resolve_deferred(&mut self) {
         for deferred in std::mem::take(&mut self.deferred) {
             self.current = Some(deferred.pou);
-            let ty = self.specification(deferred.specification, deferred.hint);
+            let is_parameter = self.model.variables[deferred.variables.start].limits > 0;
+            let ty = match is_parameter {
+                true => self.parameter_type(deferred.specification, deferred.hint),
+                false => self.specification(deferred.specification, deferred.hint),
+            };
             for index in deferred.variables {
                 self.model.variables[index].ty = ty;
                 if self.model.variables[index].kind == VariableKind::External {

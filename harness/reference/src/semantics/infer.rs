@@ -22,12 +22,7 @@ impl<'m> Lowering<'m> {
             if known != Inferred::Pending {
                 break;
             }
-            let ExpressionKind::Binary {
-                operator,
-                left,
-                right,
-            } = self.expression(at).kind
-            else {
+            let Some((operator, left, right)) = self.expression(at).binary() else {
                 let inferred = self.infer_leaf(at);
                 self.inferred[at.0 as usize] = inferred;
                 break;
@@ -62,7 +57,9 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Part { base, part, .. } => self.infer_part(*base, *part),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
             ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
-            ExpressionKind::Parenthesized(inner) => self.infer(*inner),
+            ExpressionKind::Parenthesized(inner) | ExpressionKind::Assigned { target: inner, .. } => {
+                self.infer(*inner)
+            }
             ExpressionKind::Binary { .. } | ExpressionKind::Error => Inferred::Error,
         }
     }

@@ -10,7 +10,7 @@ use super::types::{DefaultValue, TypeId, TypeKind, TypeMember};
 use crate::instruction::{Instruction, RoutineId};
 use std::ops::Range;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
+use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {
@@ -191,23 +191,21 @@ impl<'m> Lowering<'m> {
 
     /// Returns whether a list stands for a row of an array with several dimensions.
     fn is_row(&self, value: &Initializer<'_>, element: TypeId, lengths: &[u32]) -> bool {
-        matches!(value.kind, InitializerKind::Array(_)) && !self.is_array(element) && lengths.len() > 1
-    }
-
-    fn is_array(&self, ty: TypeId) -> bool {
-        matches!(self.model.types.kind(ty), TypeKind::Array(_))
+        matches!(value.kind, InitializerKind::Array(_))
+            && self.model.types.array(element).is_none()
+            && lengths.len() > 1
     }
 
     /// Returns how often an element is repeated.
     fn repetition(&mut self, element: &ArrayElement<'_>) -> u32 {
         let Some(id) = element.repetition else { return 1 };
-        let number = self.constant_number(id);
-        number.map_or(0, |number| {
-            u32::try_from(number).unwrap_or_else(|_| {
-                let message = format!("{number} is no number of repetitions");
-                self.report(Code::ConstantOverflow, self.span(id), message);
-                0
-            })
+        let Some(number) = self.constant_number(id) else {
+            return 0;
+        };
+        u32::try_from(number).unwrap_or_else(|_| {
+            let message = format!("{number} is no number of repetitions");
+            self.report(Code::ConstantOverflow, self.span(id), message);
+            0
         })
     }
 
@@ -217,21 +215,47 @@ impl<'m> Lowering<'m> {
         };
         let mut given = rustc_hash::FxHashSet::default();
         for (name, value) in fields {
-            let is_own =
-                |member: &&TypeMember| !matches!(member.kind, VariableKind::InOut | VariableKind::External);
-            let Some(member) = self.model.types.member(ty, name.text).filter(is_own) else {
+            let member = self.model.types.member(ty, name.text);
+            let Some(member) = member.filter(|member| member.kind.is_held()) else {
                 let message = format!("{} has no element `{}`", structure.name, name.text);
                 self.report(Code::VariableUndefined, name.span, message);
                 self.lower_initializer(value);
                 continue;
             };
             if !given.insert(member.offset) {
-                let message = format!("`{}` is given twice", name.text);
+                let message = match structure.is_union {
+                    true => "the fields of a UNION share one initial value".to_owned(),
+                    false => format!("`{}` is given twice", name.text),
+                };
                 self.report(Code::StructureDuplicatedElement, name.span, message);
             }
-            let here = self.shifted(location, member.offset);
-            self.initialize(here, member.ty, Some(value));
+            self.initialize_member(VariablePlace::new(location, ty), member, Some(value));
         }
+    }
+
+    /// Gives a member of what lies at a place its initial value. One of a union that has none leaves the memory to the others.
+    fn initialize_member(
+        &mut self,
+        whole: VariablePlace,
+        member: &TypeMember,
+        initializer: Option<&'m Initializer<'m>>,
+    ) {
+        if !self.model.types.is_union(whole.ty) {
+            let here = self.shifted(whole.location, member.offset);
+            return self.initialize(here, member.ty, initializer);
+        }
+        let extent = *self.model.types.extent(member.ty);
+        if initializer.is_none() && extent.default == DefaultValue::Zero {
+            return;
+        }
+        let span = initializer.map_or(Span::default(), |initializer| initializer.span);
+        let here = Location::Absolute(self.temporary_of(member.ty, span));
+        self.clear(here, extent.size);
+        self.initialize(here, member.ty, initializer);
+        self.entered(whole);
+        self.push_address(here);
+        let layout = self.layout(member.ty);
+        self.emit(Instruction::Scatter(layout));
     }
 
     /// Makes a routine that gives a variable, which is its instance, the default of its type.
@@ -254,14 +278,14 @@ impl<'m> Lowering<'m> {
                         };
                         self.set_line(name.span);
                         let muted = self.reporter.mute(index > 0);
-                        let location = Location::Instance(member.offset);
-                        self.initialize(location, member.ty, group.initializer.as_ref());
+                        let whole = VariablePlace::new(start, ty);
+                        self.initialize_member(whole, member, group.initializer.as_ref());
                         self.reporter.mute(muted);
                     }
                 }
             }
             DefaultInitialValue::Elements(ty) => {
-                let TypeKind::Array(shape) = model.types.kind(ty) else {
+                let Some(shape) = model.types.array(ty) else {
                     return;
                 };
                 self.default_value(start, shape.element);

@@ -7,6 +7,7 @@
 use super::arguments::{BoundArguments, Capture};
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
+use super::limits::LIMIT;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::methods::Entrance;
@@ -128,12 +129,18 @@ impl<'m> Lowering<'m> {
             let variable = &self.model.variables[parameter as usize];
             let place = self.outside(variable, instance);
             self.begin_store(place);
-            if variable.kind == VariableKind::InOut {
-                self.pass_by_reference(argument, variable);
-            } else {
-                self.coerce(argument, variable.ty, ValueContext::Argument);
-            }
             places.push(place);
+            if variable.kind != VariableKind::InOut {
+                self.coerce(argument, variable.ty, ValueContext::Argument);
+            } else if let Some(passed) = self.pass_by_reference(argument, variable) {
+                for index in 0..variable.limits {
+                    let cell = self.shifted(place.location, 1 + index);
+                    let limit = VariablePlace::new(cell, LIMIT);
+                    self.begin_store(limit);
+                    self.push_limit(passed, index);
+                    places.push(limit);
+                }
+            }
         }
         places
     }
@@ -144,21 +151,25 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Puts the address of an argument on the stack.
+    /// Puts the address of an argument on the stack; gives the place of a variable that fits.
     ///
     /// Basis: iec-61131-3: 6.6.1 (VAR_IN_OUT needs the same type); ironplc-problem-codes: P4058, P4059, P4060.
-    fn pass_by_reference(&mut self, argument: ExpressionId, parameter: &DeclaredVariable<'_>) {
+    fn pass_by_reference(
+        &mut self,
+        argument: ExpressionId,
+        parameter: &DeclaredVariable<'_>,
+    ) -> Option<VariablePlace> {
         let ty = parameter.ty;
         let span = self.span(argument);
         let (code, what) = (
             Code::FunctionCallInOutArgNotVariable,
             "VAR_IN_OUT needs a variable",
         );
-        let Some(place) = self.whole_place(argument, code, what) else {
-            return;
-        };
+        let place = self.whole_place(argument, code, what)?;
         let types = &self.model.types;
-        let same = types.is_same_variable(place.ty, ty) || self.is_derived_block(place.ty, ty);
+        let same = types.is_same_variable(place.ty, ty)
+            || self.is_derived_block(place.ty, ty)
+            || types.fits_variable_length(place.ty, ty);
         if !same && ty != TypeId::ERROR {
             let (needed, given) = (types.name(ty), types.name(place.ty));
             let message = format!("VAR_IN_OUT needs a variable of type {needed}, not {given}");
@@ -167,8 +178,10 @@ impl<'m> Lowering<'m> {
             let message = "VAR_IN_OUT needs a variable that can be written";
             self.report(Code::InOutArgNotWritable, span, message);
         }
+        self.refuses_overlaid(place, span);
         let place = self.located(place);
         self.push_address(place.location);
+        same.then_some(place)
     }
 
     /// Returns whether a type is that of a function block or class, and another one extends it.

@@ -70,10 +70,7 @@ impl Declarer<'_, '_> {
         let start = memory.cells();
         for index in self.model.pous[pou].variables.clone() {
             let kind = self.model.variable(index).kind;
-            if !matches!(
-                kind,
-                VariableKind::Input | VariableKind::InOut | VariableKind::External | VariableKind::Static
-            ) {
+            if kind.is_held() && !matches!(kind, VariableKind::Input | VariableKind::Static) {
                 self.place_variable(index, memory)?;
             }
         }
@@ -84,18 +81,17 @@ impl Declarer<'_, '_> {
     fn place_variable(&mut self, index: u32, memory: &mut MemoryLayout) -> Result<(), Span> {
         let Model { types, variables, .. } = &mut self.model;
         let variable = &mut variables[index as usize];
-        let (pointer, span) = (variable.kind == VariableKind::InOut, variable.name.span);
-        let address = if pointer {
-            memory.cell()
-        } else {
-            memory.allocate(types, variable.ty)
+        let storage = match variable.kind {
+            VariableKind::InOut => {
+                let address = memory.cell();
+                for _ in 0..variable.limits {
+                    memory.cell().ok_or(variable.name.span)?;
+                }
+                address.map(Storage::AbsolutePointer)
+            }
+            _ => memory.allocate(types, variable.ty).map(Storage::Absolute),
         };
-        let address = address.ok_or(span)?;
-        variable.storage = if pointer {
-            Storage::AbsolutePointer(address)
-        } else {
-            Storage::Absolute(address)
-        };
+        variable.storage = storage.ok_or(variable.name.span)?;
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 
 use super::observation::CheckedProgram;
 use super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
+use crate::library::has_block;
 use stickler_syntax::tree::VariableKind;
 
 impl CheckedProgram {
@@ -56,8 +57,10 @@ impl PathListing<'_> {
         if let Some(base) = structure.base.and_then(|base| self.types.structure(base)) {
             self.members(base, path);
         }
+        let is_standard = has_block(&structure.name);
         for (name, member) in structure.members.iter() {
-            if !matches!(member.kind, VariableKind::InOut | VariableKind::Instance) {
+            let is_own = is_standard && member.kind == VariableKind::Local;
+            if !is_own && !matches!(member.kind, VariableKind::InOut | VariableKind::Instance) {
                 let dot = if path.is_empty() { "" } else { "." };
                 self.value(member.ty, format!("{path}{dot}{name}"));
             }

@@ -24,6 +24,12 @@ pub(super) struct Signed<'u> {
     pub(super) span: Span,
 }
 
+impl Signed<'_> {
+    fn refused(self, code: Code, message: String) -> SpannedDiagnostic {
+        SpannedDiagnostic::new(code, self.span, message)
+    }
+}
+
 /// The value of a literal.
 pub(super) enum LiteralValue {
     /// A raw form.
@@ -191,11 +197,7 @@ fn integer_literal(
     }
     let written = quoted(signed.span.text(text));
     let message = format!("{written} does not fit {} ({low}..{high})", ty.name());
-    Err(SpannedDiagnostic::new(
-        Code::ConstantOverflow,
-        signed.span,
-        message,
-    ))
+    Err(signed.refused(Code::ConstantOverflow, message))
 }
 
 fn quoted_literal(
@@ -208,11 +210,7 @@ fn quoted_literal(
     if wide != (literal.kind == LiteralKind::DoubleByteText) {
         let quotes = if wide { "double" } else { "single" };
         let message = format!("a literal of {} stands in {quotes} quotes", ty.name());
-        return Err(SpannedDiagnostic::new(
-            Code::StringEncodingMismatch,
-            signed.span,
-            message,
-        ));
+        return Err(signed.refused(Code::StringEncodingMismatch, message));
     }
     match literal::text(literal.text()) {
         Ok(units) if ty.is_text() => Ok(LiteralValue::Text(units)),
@@ -220,11 +218,7 @@ fn quoted_literal(
             [unit] => Ok(LiteralValue::Plain(unit.into())),
             _ => {
                 let message = format!("a {} is one character, not {}", ty.name(), units.len());
-                Err(SpannedDiagnostic::new(
-                    Code::ConstantOverflow,
-                    signed.span,
-                    message,
-                ))
+                Err(signed.refused(Code::ConstantOverflow, message))
             }
         },
         Err(error) => Err(misread(signed, ty, text, error)),

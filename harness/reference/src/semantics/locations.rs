@@ -5,7 +5,7 @@ use super::model::{DeclaredVariable, Storage};
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
-use stickler_types::ElementaryType;
+use stickler_types::{Code, ElementaryType};
 
 /// The location of a value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,20 +34,23 @@ pub(super) struct VariablePlace {
     pub(super) part: Option<Part>,
     /// Whether the location belongs to a CONSTANT.
     pub(super) constant: bool,
+    /// Whether the value is part of a union, so that its bytes, whose address is on the stack, lie in cells of their own.
+    pub(super) overlaid: bool,
 }
 
 impl VariablePlace {
-    /// The whole of a value that can be written.
+    /// Returns all of what lies at a location, and can be written.
     pub(super) const fn new(location: Location, ty: TypeId) -> VariablePlace {
         VariablePlace {
             location,
             ty,
             part: None,
             constant: false,
+            overlaid: false,
         }
     }
 
-    /// A whole variable.
+    /// Returns the place of a whole variable.
     pub(super) fn of(variable: &DeclaredVariable<'_>) -> VariablePlace {
         VariablePlace {
             constant: variable.constant,
@@ -141,7 +144,7 @@ impl Lowering<'_> {
     /// Returns the location of a place as one that can be used more than once.
     pub(super) fn pinned(&mut self, place: VariablePlace, span: Span) -> Location {
         let location = self.located(place).location;
-        if location != Location::Stack {
+        if self.refuses_overlaid(place, span) || location != Location::Stack {
             return location;
         }
         let cell = self.temporary(span);
@@ -156,7 +159,10 @@ impl Lowering<'_> {
             self.emit(Instruction::Peek(layout));
             return LoweredValue::computed(self.model.types.value_type(place.ty));
         }
-        let place = self.located(place);
+        let place = match place.overlaid {
+            true => self.gathered(place),
+            false => self.located(place),
+        };
         match (self.cells(place.ty), place.location) {
             (CellKind::Many(_), location) => self.push_address(location),
             (CellKind::Text, location) => {
@@ -203,6 +209,9 @@ impl Lowering<'_> {
             let layout = self.layout(place.ty);
             return self.emit_at(span, Instruction::Poke(layout));
         }
+        if place.overlaid {
+            return self.scatter(place, span);
+        }
         if let (Some(part), Some(of)) = (place.part, self.model.elementary(place.ty)) {
             return self.store_part(place, part, of, span);
         }
@@ -215,6 +224,37 @@ impl Lowering<'_> {
             (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
             (CellKind::Plain, _) => self.emit(Instruction::StoreIndirect),
         }
+    }
+
+    /// Copies the value of a field of a union, which is no plain one, to cells as others have.
+    fn gathered(&mut self, place: VariablePlace) -> VariablePlace {
+        let cell = self.temporary_of(place.ty, Span::default());
+        let layout = self.layout(place.ty);
+        self.emit(Instruction::Address(cell));
+        self.emit(Instruction::Gather(layout));
+        VariablePlace::new(Location::Absolute(cell), place.ty)
+    }
+
+    /// Stores a value that is no plain one in a field of a union.
+    fn scatter(&mut self, place: VariablePlace, span: Span) {
+        if self.cells(place.ty) == CellKind::Text {
+            let cell = self.temporary_of(place.ty, span);
+            self.emit(Instruction::Address(cell));
+            self.emit(Instruction::StoreText);
+            self.emit(Instruction::Address(cell));
+        }
+        let layout = self.layout(place.ty);
+        self.emit_at(span, Instruction::Scatter(layout));
+    }
+
+    /// Reports a field of a union where the address of its cell is needed, which it has not; gives whether it is one.
+    pub(super) fn refuses_overlaid(&mut self, place: VariablePlace, span: Span) -> bool {
+        if place.overlaid {
+            let message =
+                "a field of a UNION as VAR_IN_OUT or as the control variable of FOR is not implemented";
+            self.report(Code::NotImplemented, span, message);
+        }
+        place.overlaid
     }
 
     /// Copies an aggregate. A function block keeps the number of its own type.

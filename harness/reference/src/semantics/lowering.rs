@@ -151,6 +151,7 @@ impl<'m> Lowering<'m> {
     /// that are declared later do not count.
     pub(super) fn variable(&self, name: &str) -> Option<(u32, &'m DeclaredVariable<'m>)> {
         let local = self.entry().and_then(|entry| self.local(entry, name));
+        let local = local.map(|index| index + u32::from(self.model.variable(index).edge.is_some()));
         let limited = local.is_some() || self.pou.is_none();
         let index = local.or_else(|| self.model.globals.get(&CaseFolded(name)).copied())?;
         let variable = &self.model.variables[index as usize];
@@ -182,19 +183,18 @@ impl<'m> Lowering<'m> {
     /// Takes a plain cell for what must be kept while other code runs. Recursion is forbidden, so it
     /// may lie at a fixed address.
     pub(super) fn temporary(&mut self, span: Span) -> u32 {
-        self.memory.cell().unwrap_or_else(|| {
-            self.report(Code::LimitExceeded, span, "the program needs too much memory");
-            0
-        })
+        self.temporary_of(TypeId::of(ElementaryType::Ulint), span)
     }
 
     /// Takes room for a value of a type.
     pub(super) fn temporary_of(&mut self, ty: TypeId, span: Span) -> u32 {
         let model = self.model;
-        self.memory.allocate(&model.types, ty).unwrap_or_else(|| {
+        let cell = self.memory.allocate(&model.types, ty).unwrap_or_else(|| {
             self.report(Code::LimitExceeded, span, "the program needs too much memory");
             0
-        })
+        });
+        self.addresses.temporaries.push((cell, ty));
+        cell
     }
 
     /// Notes that the POU calls another.

@@ -12,7 +12,7 @@ use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::model::{Member, PouEntry};
-use super::types::{TypeId, TypeKind};
+use super::types::TypeId;
 use crate::instruction::{Instruction, MachineProgram};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Access, ExpressionId, ExpressionKind, PouKind, VariableKind, own_instance};
@@ -31,7 +31,7 @@ pub(super) struct OwnInstance {
 pub(super) enum Receiver {
     /// The one whose code is running.
     This,
-    /// The same, of which the member of the base is meant.
+    /// The one whose code is running, seen as the block that it extends.
     Super,
     /// The one that an expression names.
     Instance(ExpressionId),
@@ -44,14 +44,14 @@ pub(super) struct UsedMember {
     pub(super) member: Member,
 }
 
-/// How the routine of a callee is reached.
+/// The way in which a call finds the routine that it runs.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Entrance {
-    /// A function.
+    /// A call of a function, which has no instance.
     Function,
-    /// A method of a known block.
+    /// A call of a method that is known beforehand; holds the place of the instance.
     Method(Location),
-    /// The method that the type of the instance has.
+    /// A call of the method that the type of the running program's instance has; holds the place of the instance.
     Dispatched(Location),
 }
 
@@ -107,14 +107,8 @@ impl<'m> Lowering<'m> {
                     let member = self.model.member(own.pou, field.text)?;
                     return Some(UsedMember { receiver, member });
                 }
-                let Inferred::Known(ty) = self.infer(base) else {
-                    return None;
-                };
-                let (TypeKind::FunctionBlock(block) | TypeKind::Interface(block)) = self.model.types.kind(ty)
-                else {
-                    return None;
-                };
-                let member = self.model.member(block.pou, field.text)?;
+                let ty = self.known_type(base)?;
+                let member = self.model.member(self.model.types.object(ty)?.pou, field.text)?;
                 let receiver = Receiver::Instance(base);
                 let hides = self.model.types.element(ty, field.text).is_some();
                 (!hides).then_some(UsedMember { receiver, member })
@@ -321,13 +315,20 @@ impl<'m> Lowering<'m> {
         program.methods.insert(key, dispatch.routine);
     }
 
-    /// Copies a variable of one frame to another; of a VAR_IN_OUT, the address.
+    /// Copies a variable of one frame to another; of a VAR_IN_OUT, the address, and of an ARRAY[*] the limits.
     fn copy_variable(&mut self, from: u32, to: u32) {
         let model = self.model;
+        let limits = model.variable(from).limits;
         let [from, to] = [from, to].map(|index| self.outside(&model.variables[index as usize], None));
-        self.begin_store(to);
-        self.load(from);
-        self.finish_store(to, Span::default());
+        for cell in 0..=limits {
+            let [from, to] = [from, to].map(|place| VariablePlace {
+                location: self.shifted(place.location, cell),
+                ..place
+            });
+            self.begin_store(to);
+            self.load(from);
+            self.finish_store(to, Span::default());
+        }
     }
 
     /// Returns the method that an expression calls.

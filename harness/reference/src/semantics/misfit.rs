@@ -3,7 +3,7 @@
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, joined};
 
 /// Names an inferred type in a message.
 pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
@@ -34,11 +34,9 @@ pub(super) fn misfit(types: &TypeTable, inferred: Inferred, target: TypeId, cont
 pub(super) fn misfit_of_any(types: &TypeTable, inferred: Inferred, allowed: &[ElementaryType]) -> String {
     let value = describe(types, inferred);
     let names: Vec<_> = allowed.iter().map(|ty| ty.name()).collect();
-    match (inferred, &names[..]) {
+    match (inferred, names.len()) {
         (Inferred::Nothing, _) => "the call gives no value".to_owned(),
-        (_, [others @ .., last]) if (1..4).contains(&others.len()) => {
-            format!("the function takes {} or {last}, not {value}", others.join(", "))
-        }
+        (_, 2..=4) => format!("the function takes {}, not {value}", joined(&names, "or")),
         _ => format!("the function does not take {value}"),
     }
 }

@@ -9,8 +9,8 @@ use rustc_hash::FxHashSet;
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    CaseFolded, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup,
-    VariableKind,
+    Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit,
+    VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
@@ -103,8 +103,6 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
-    /// The VAR_IN_OUT among them.
-    pub(super) in_outs: Vec<u32>,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.
@@ -115,17 +113,18 @@ pub(super) struct PouEntry<'u> {
     pub(super) cleared: Range<u32>,
     /// The POU that a method or a part of a property is a member of.
     pub(super) owner: Option<u32>,
-    /// The function block or class that it extends.
+    /// The function block or class behind EXTENDS of a function block or class.
     pub(super) base: Option<u32>,
-    /// The interfaces that it implements; those that an interface extends.
+    /// The interfaces that a function block or class implements, or that an interface extends.
     pub(super) interfaces: Vec<u32>,
-    /// The number of types above it.
+    /// The number of types that the POU extends and implements, directly and indirectly.
     pub(super) ancestors: u32,
-    /// Its own methods and properties.
+    /// The methods and properties that the POU declares itself, by name; inherited ones are found by [`Model::member`].
     pub(super) members: Scope<'u, Member>,
     /// Whether the first cell of an instance holds the number of its type, by which its methods are found.
     pub(super) has_type_number: bool,
-    /// How a member is called where only the running program knows which one is meant.
+    /// The shared frame and the routine by which a member is called through a base or an interface; `None` for a member that has one
+    /// implementation only, and is called directly.
     pub(super) dispatch: Option<Dispatch>,
     /// Whether a member has another one in a derived block.
     pub(super) is_overridden: bool,
@@ -151,7 +150,7 @@ impl Member {
     }
 }
 
-/// How members that stand for each other are called.
+/// The parts of a call of a method that the running program chooses by the type of the instance.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dispatch {
     /// The member without a body through whose variables arguments and results are passed.
@@ -180,12 +179,18 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) name: Name<'u>,
     /// The declared type.
     pub(super) ty: TypeId,
-    /// The section.
+    /// The section; VAR_IN_OUT for every ARRAY[*], which is passed by its address.
     pub(super) kind: VariableKind,
+    /// The section as it is written.
+    pub(super) section: VariableKind,
+    /// The number of cells behind the address of an ARRAY[*]: the lowest and the highest subscript and the stride of each dimension.
+    pub(super) limits: u32,
     /// Whether the variable is a CONSTANT.
     pub(super) constant: bool,
     /// Whether it stands in a section that is PUBLIC or INTERNAL.
     pub(super) is_public: bool,
+    /// The edge qualifier of an input, behind which stand what the body sees in its place, and its value in the call before.
+    pub(super) edge: Option<Edge>,
     /// The location.
     pub(super) storage: Storage,
     /// The initial value.
@@ -196,6 +201,40 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) value: Constant,
 }
 
+impl<'u> DeclaredVariable<'u> {
+    /// Returns a variable without an initial value, which has no location yet.
+    pub(super) fn new(name: Name<'u>, ty: TypeId, kind: VariableKind) -> DeclaredVariable<'u> {
+        DeclaredVariable {
+            name,
+            ty,
+            kind,
+            section: kind,
+            limits: 0,
+            constant: false,
+            is_public: false,
+            edge: None,
+            storage: Storage::Absolute(0),
+            initializer: None,
+            repeated: false,
+            value: Constant::Variable,
+        }
+    }
+
+    /// Adds what the section and the declaration of a variable say of it.
+    pub(super) fn declared(self, block: &VariableBlock<'u>, group: &'u VariableGroup<'u>) -> Self {
+        DeclaredVariable {
+            constant: block.constant,
+            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
+            initializer: group.initializer.as_ref(),
+            repeated: group
+                .names
+                .first()
+                .is_none_or(|first| first.span != self.name.span),
+            ..self
+        }
+    }
+}
+
 /// The location of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Storage {
@@ -203,9 +242,9 @@ pub(super) enum Storage {
     Absolute(u32),
     /// Behind the address of the instance.
     Instance(u32),
-    /// The address in the cell at an address (VAR_IN_OUT of a function).
+    /// The address in the cell at an address (VAR_IN_OUT of a function); the limits of an ARRAY[*] lie in the cells behind it.
     AbsolutePointer(u32),
-    /// The address in a cell of the instance (VAR_IN_OUT of a function block).
+    /// The same, in a cell of the instance (VAR_IN_OUT of a function block).
     InstancePointer(u32),
 }
 

@@ -10,7 +10,7 @@ use super::declare::Declarer;
 use super::model::TopLevelName;
 use super::scope::NamedList;
 use super::types::{Extent, MAX_ANCESTORS, Structure, TypeId, TypeKind};
-use stickler_syntax::source::saturating_u32;
+use stickler_syntax::source::{Span, saturating_u32};
 use stickler_syntax::tree::{CaseFolded, Name, PouKind, TypeSpecification, VariableKind};
 use stickler_types::Code;
 
@@ -156,10 +156,15 @@ impl<'u> Declarer<'u, '_> {
             name: self.model.pous[index].pou.name.text.into(),
             pou: saturating_u32(index),
             base: None,
+            is_union: false,
             members: NamedList::new(),
         };
         let kind = TypeKind::Interface(Box::new(interface));
-        self.model.pous[index].ty = self.model.types.add(kind, Extent::PLAIN);
+        let extent = Extent {
+            has_interface: true,
+            ..Extent::PLAIN
+        };
+        self.model.pous[index].ty = self.model.types.add(kind, extent);
         self.note_parents(index);
     }
 
@@ -180,8 +185,15 @@ impl<'u> Declarer<'u, '_> {
         ty.is_some_and(|ty| self.model.types.member(ty, name.text).is_some())
     }
 
-    /// Returns whether values of a type consist of instances of an ABSTRACT block.
-    pub(super) fn is_abstract(&self, ty: TypeId) -> bool {
+    /// Reports variables or fields of a type whose values consist of instances of an ABSTRACT block.
+    pub(super) fn refuse_abstract(&mut self, ty: TypeId, span: Span) {
+        if self.is_abstract(ty) {
+            let message = "an ABSTRACT function block has no instances";
+            self.report(Code::AbstractFunctionBlockInstantiated, span, message);
+        }
+    }
+
+    fn is_abstract(&self, ty: TypeId) -> bool {
         match self.model.types.kind(ty) {
             TypeKind::Array(shape) => self.is_abstract(shape.element),
             TypeKind::FunctionBlock(block) => self.model.pous[block.pou as usize].pou.modifiers.is_abstract,

@@ -1,11 +1,13 @@
 //! Finds the variable that a path names: `a[1]`, `rec.field[2].x`, `instance.name`.
 
+use super::address_layouts::AddressLayouts;
 use super::model::{Model, Storage};
 use super::scope::NamedList;
 use super::types::{TypeId, TypeKind, TypeMember, TypeTable};
+use crate::addresses::AddressMap;
 use crate::instruction::MachineProgram;
 use stickler_syntax::tree::VariableKind;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, MomentUnits};
 
 /// A program that can run, and where its variables lie.
 #[derive(Debug)]
@@ -22,6 +24,8 @@ pub struct ObservedVariable {
     pub address: u32,
     /// The type.
     pub ty: ObservedType,
+    /// The number of cells that hold a byte each, of a field of a union; `None` for all other variables.
+    pub bytes: Option<u32>,
 }
 
 /// The type of a variable that can be observed.
@@ -45,6 +49,7 @@ pub enum ObservedType {
 pub(super) struct VariableTable {
     pub(super) types: TypeTable,
     globals: NamedList<TypeMember>,
+    moment_units: MomentUnits,
     /// The program instances: name, type, and address.
     pub(super) instances: Vec<(Box<str>, TypeId, u32)>,
 }
@@ -85,6 +90,7 @@ impl VariableTable {
         // Plain names are those of PROGRAM main, wherever in the configuration it runs.
         instances.sort_by_cached_key(|(_, ty, _)| !model.types.name(*ty).eq_ignore_ascii_case("main"));
         VariableTable {
+            moment_units: model.source.dialect.conversions.moment_units,
             types: model.types,
             globals,
             instances,
@@ -177,7 +183,21 @@ impl VariableTable {
             },
             _ => return Err(format!("{} is no elementary type", self.types.name(ty))),
         };
-        Ok(ObservedVariable { address, ty })
+        let bytes = None;
+        Ok(ObservedVariable { address, ty, bytes })
+    }
+
+    /// Returns the cell of the byte at which the part begins that would lie at an offset in cells, in a field of a union whose first
+    /// byte lies in a cell; and the number of bytes of a type.
+    fn byte(&self, (field, first): (TypeId, u32), cells: u32, ty: TypeId) -> (u32, u32) {
+        let mut layouts = AddressLayouts::default();
+        let field = layouts.layout(&self.types, self.moment_units, field);
+        let (size, _) = layouts.size(&self.types, self.moment_units, ty);
+        let (layouts, objects) = (layouts.layouts, Vec::new());
+        (
+            first + AddressMap { layouts, objects }.offset_in_bytes(field, cells),
+            size,
+        )
     }
 }
 
@@ -200,18 +220,34 @@ impl CheckedProgram {
     pub fn resolve(&self, path: &str) -> Result<ObservedVariable, String> {
         let directory = &self.directory;
         let (mut ty, mut address, mut rest) = directory.root(path)?;
+        // The innermost field of a union, and the cell of its first byte; the address is then an offset in that field.
+        let mut overlaid = None;
         loop {
             rest = rest.trim_start();
+            if directory.types.is_union(ty) {
+                let first = overlaid.map_or(address, |field| directory.byte(field, address, ty).0);
+                (overlaid, address) = (Some((ty, first)), 0);
+            }
             if let Some(behind) = rest.strip_prefix('.') {
                 let (field, behind) = name(behind)?;
+                let of = ty;
                 (ty, address) = directory
-                    .member(ty, address, field)
-                    .ok_or_else(|| format!("{} has no element `{field}`", directory.types.name(ty)))?;
+                    .member(of, address, field)
+                    .ok_or_else(|| format!("{} has no element `{field}`", directory.types.name(of)))?;
+                if let (Some(field), true) = (&mut overlaid, directory.types.is_union(of)) {
+                    field.0 = ty;
+                }
                 rest = behind;
             } else if let Some(behind) = rest.strip_prefix('[') {
                 (ty, address, rest) = directory.element(ty, address, behind)?;
             } else if rest.is_empty() {
-                return directory.observed(ty, address);
+                let observed = directory.observed(ty, address)?;
+                let Some(field) = overlaid else {
+                    return Ok(observed);
+                };
+                let (address, size) = directory.byte(field, address, ty);
+                let (ty, bytes) = (observed.ty, Some(size));
+                return Ok(ObservedVariable { address, ty, bytes });
             } else {
                 return Err(format!("`{rest}` is not understood"));
             }

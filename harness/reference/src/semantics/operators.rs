@@ -131,17 +131,25 @@ impl TypeRules<'_> {
         }
     }
 
-    /// Returns the types as which a value of an interface is compared with another one, or with the number 0, which is none.
+    /// Returns the types as which a value of an interface is compared with another one, with NULL, or with the number 0, which is none.
     ///
-    /// Basis: codesys-pages: _cds_implementing_interface.
+    /// Basis: iec-61131-3: third edition, 6.6.6; codesys-pages: _cds_implementing_interface.
     fn addresses(self, left: Inferred, right: Inferred) -> Option<(TypeId, TypeId)> {
-        let side = |value| match value {
-            Inferred::Known(ty) if matches!(self.types.kind(ty), TypeKind::Interface(_)) => Some((ty, true)),
-            Inferred::Integer(_) => Some((TypeId::of(ElementaryType::Ulint), false)),
+        let interface = |value| match value {
+            Inferred::Known(ty) => self.types.is_interface(ty).then_some(ty),
             _ => None,
         };
-        let ((left, one), (right, other)) = (side(left)?, side(right)?);
-        (one || other).then_some((left, right))
+        let beside = |value, other| match value {
+            Inferred::Known(TypeId::ADDRESS) => Some(other),
+            Inferred::Integer(_) => Some(TypeId::of(ElementaryType::Ulint)),
+            _ => None,
+        };
+        match (interface(left), interface(right)) {
+            (Some(one), Some(other)) => Some((one, other)),
+            (Some(one), None) => Some((one, beside(right, one)?)),
+            (None, Some(other)) => Some((beside(left, other)?, other)),
+            (None, None) => None,
+        }
     }
 
     fn comparison(

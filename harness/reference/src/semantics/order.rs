@@ -88,8 +88,10 @@ impl<'u> Declarer<'u, '_> {
         }
         let Some(initializer) = &ty.initializer else {
             return match ty.specification.kind {
-                // The names of structures and enumerations are their types' own.
-                TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Enumeration { .. } => base,
+                // The names of structures, unions and enumerations are their types' own.
+                TypeSpecificationKind::Structure(_)
+                | TypeSpecificationKind::Union(_)
+                | TypeSpecificationKind::Enumeration { .. } => base,
                 _ => {
                     let default = self.model.types.extent(base).default;
                     self.model.types.add_alias(base, ty.name.text, default)
@@ -139,12 +141,10 @@ fn needs(model: &Model<'_>, declared: DeclaredNode<'_>) -> Vec<(usize, Span)> {
             bases.for_each(|base| needs.name(*base));
             let instance = pou.members.iter().flat_map(|member| &member.blocks);
             let instance = instance.filter(|block| block.kind == VariableKind::Instance);
-            let blocks = pou.blocks.iter().chain(instance);
-            let is_held = |kind| !matches!(kind, VariableKind::InOut | VariableKind::External);
-            let groups = blocks
-                .filter(|block| is_held(block.kind))
-                .flat_map(|block| &block.groups);
-            groups.for_each(|group| needs.specification(&group.specification));
+            let held = pou.blocks.iter().chain(instance);
+            let held = held.filter(|block| block.kind.is_held());
+            held.flat_map(|block| &block.groups)
+                .for_each(|group| needs.specification(&group.specification));
         }
     }
     needs.found
@@ -162,12 +162,13 @@ impl Needs<'_, '_> {
             TypeSpecificationKind::Named(name) => self.name(name.unqualified()),
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
-            TypeSpecificationKind::Structure(groups) => {
+            TypeSpecificationKind::Structure(groups) | TypeSpecificationKind::Union(groups) => {
                 let specifications = groups.iter().map(|group| &group.specification);
                 specifications.for_each(|specification| self.specification(specification));
             }
             // What leads to a value does not contain it.
             TypeSpecificationKind::Pointer { .. }
+            | TypeSpecificationKind::VariableLengthArray { .. }
             | TypeSpecificationKind::Text { .. }
             | TypeSpecificationKind::Enumeration { .. }
             | TypeSpecificationKind::Error => {}

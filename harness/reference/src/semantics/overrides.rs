@@ -130,21 +130,19 @@ impl<'u> Declarer<'u, '_> {
     /// Returns the parameters and the result of a member, `None` where a type of theirs is not known.
     fn signature(&self, index: u32) -> Option<Signature<'u>> {
         let entry = &self.model.pous[index as usize];
-        let mut signature = Vec::new();
-        for variable in &self.model.variables[entry.variables.start as usize..entry.variables.end as usize] {
-            let is_parameter = matches!(
-                variable.kind,
+        let variables = entry.variables.clone().map(|index| self.model.variable(index));
+        let parameters = variables.filter(|variable| {
+            let kind = variable.kind;
+            matches!(
+                kind,
                 VariableKind::Input | VariableKind::Output | VariableKind::InOut
-            );
-            if is_parameter {
-                let ty = self.model.types.root(variable.ty);
-                signature.push((CaseFolded(variable.name.text), variable.kind, ty));
-                if ty == TypeId::ERROR {
-                    return None;
-                }
-            }
-        }
-        Some(signature)
+            )
+        });
+        let typed = parameters.map(|variable| {
+            let ty = self.model.types.root(variable.ty);
+            (ty != TypeId::ERROR).then_some((CaseFolded(variable.name.text), variable.section, ty))
+        });
+        typed.collect()
     }
 
     /// Reports the first method or property that a block must have and does not, and links the others.
@@ -261,15 +259,11 @@ type Signature<'u> = Vec<(CaseFolded<'u>, VariableKind, TypeId)>;
 
 /// Returns the first point in which two signatures differ.
 fn difference(own: &Signature<'_>, other: &Signature<'_>) -> Option<&'static str> {
-    let of = |signature: &Signature<'_>, outputs: bool| -> Vec<_> {
-        let of_kind =
-            |one: &&(CaseFolded<'_>, VariableKind, TypeId)| (one.1 == VariableKind::Output) == outputs;
-        let list = signature.iter().filter(of_kind);
-        list.map(|(name, kind, ty)| (name.0.to_ascii_uppercase(), *kind, *ty))
-            .collect()
+    let differ = |outputs| {
+        let of_kind = |one: &&(_, VariableKind, _)| (one.1 == VariableKind::Output) == outputs;
+        !own.iter().filter(of_kind).eq(other.iter().filter(of_kind))
     };
-    if of(own, false) != of(other, false) {
-        return Some("parameters");
-    }
-    (of(own, true) != of(other, true)).then_some("result and outputs")
+    let parts = [(false, "parameters"), (true, "result and outputs")];
+    let differing = parts.into_iter().find(|(outputs, _)| differ(*outputs));
+    differing.map(|(_, part)| part)
 }

@@ -5,7 +5,7 @@
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionId};
-use stickler_types::Code;
+use stickler_types::{Code, joined};
 
 /// The parameters of a standard function, or of a conversion function with more than one.
 pub(super) struct ParameterList {
@@ -39,7 +39,7 @@ impl ParameterList {
         match &names[..] {
             [] => String::new(),
             [one] => format!("; its only one is {one}"),
-            [others @ .., last] => format!("; it has {} and {last}", others.join(", ")),
+            names => format!("; it has {}", joined(names, "and")),
         }
     }
 

@@ -22,6 +22,11 @@ impl<'m> Lowering<'m> {
             return self.read_property(id, property);
         }
         match self.place(id) {
+            Some(place) if self.model.types.is_variable_length(place.ty) => {
+                let message = "an `ARRAY[*]` has no value as a whole; only its elements have";
+                self.report(Code::OperatorOperandTypeMismatch, self.span(id), message);
+                LoweredValue::ERROR
+            }
             Some(place) => {
                 let before = self.emitter.line();
                 if place.location == Location::Bytes {
@@ -97,10 +102,12 @@ impl<'m> Lowering<'m> {
             self.report(Code::VariableUndefined, field.span, message);
             return None;
         };
+        let place = self.entered(place);
         let location = self.member_location(place, member);
         let constant = place.constant || member.constant;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             constant,
+            overlaid: place.overlaid,
             ..VariablePlace::new(location, member.ty)
         })
     }
@@ -149,11 +156,16 @@ impl<'m> Lowering<'m> {
     ) -> Option<VariablePlace> {
         let mut location = place.location;
         let sizes = (place.location == Location::Bytes).then(|| self.sizes(shape.element));
-        for (&subscript, mut dimension) in subscripts.iter().zip(shape.dimensions.iter().copied()) {
+        for ((&subscript, mut dimension), index) in
+            subscripts.iter().zip(shape.dimensions.iter().copied()).zip(0..)
+        {
             if let Some((bytes, cells)) = sizes {
                 dimension.stride = (dimension.stride / cells).saturating_mul(bytes);
             }
-            location = self.subscript(location, subscript, dimension);
+            location = match shape.is_variable_length() {
+                true => self.variable_subscript(location, subscript, (place, index)),
+                false => self.subscript(location, subscript, dimension),
+            };
         }
         for &subscript in subscripts.iter().skip(shape.dimensions.len()) {
             self.value(subscript, None);
@@ -161,6 +173,7 @@ impl<'m> Lowering<'m> {
         let known = shape.dimensions.len() == subscripts.len() && shape.element != TypeId::ERROR;
         known.then_some(VariablePlace {
             constant: place.constant,
+            overlaid: place.overlaid,
             ..VariablePlace::new(location, shape.element)
         })
     }
@@ -228,7 +241,7 @@ impl<'m> Lowering<'m> {
         (value.ty != TypeId::ERROR).then_some(LoweredValue { ty, ..value })
     }
 
-    /// As [`counting`], in the dialect of the text.
+    /// Returns the integer type of values by which things are counted and selected, in the dialect of the text.
     pub(super) fn counting(&self, ty: ElementaryType) -> Option<ElementaryType> {
         counting(ty, self.model.source.dialect)
     }
@@ -280,6 +293,22 @@ impl<'m> Lowering<'m> {
             self.report(Code::BitAccessOutOfRange, span, message);
         }
         let outer = place.part.map_or(0, |outer| outer.first);
+        if place.overlaid {
+            // A part of a field of a union is a value of its own, or a bit of one of the bytes.
+            let first = outer + first.unwrap_or(0);
+            let is_bit = part == ElementaryType::Bool;
+            let bit = Part {
+                first: first % 8,
+                ty: part,
+            };
+            return Some(VariablePlace {
+                location: self.shifted(place.location, u32::from(first / 8)),
+                ty: TypeId::of(if is_bit { ElementaryType::Byte } else { part }),
+                part: is_bit.then_some(bit),
+                overlaid: !is_bit,
+                ..place
+            });
+        }
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = match limited {

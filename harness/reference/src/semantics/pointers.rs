@@ -33,20 +33,26 @@ pub(super) enum AddressFunction {
     SizeOf,
     /// __ISVALIDREF: whether a reference is bound.
     IsValidRef,
+    /// LOWER_BOUND: the lowest subscript of a dimension.
+    LowerBound,
+    /// UPPER_BOUND: the highest subscript of a dimension.
+    UpperBound,
 }
 
 impl AddressFunction {
-    /// Returns the function of a name, and its key in `conformance-cases/features.toml`, which is its name in small letters.
+    /// Returns the function of a name, and its key in `conformance-cases/features.toml`.
     pub(super) fn of(name: &str) -> Option<(AddressFunction, &'static str)> {
-        use AddressFunction::{Adr, IsValidRef, Ref, SizeOf};
+        use AddressFunction::{Adr, IsValidRef, LowerBound, Ref, SizeOf, UpperBound};
         let all = [
-            (Adr, "adr"),
-            (Ref, "ref"),
-            (SizeOf, "sizeof"),
-            (IsValidRef, "__isvalidref"),
+            (Adr, "ADR", "adr"),
+            (Ref, "REF", "ref"),
+            (SizeOf, "SIZEOF", "sizeof"),
+            (IsValidRef, "__ISVALIDREF", "__isvalidref"),
+            (LowerBound, "LOWER_BOUND", "bound-function"),
+            (UpperBound, "UPPER_BOUND", "bound-function"),
         ];
-        all.into_iter()
-            .find(|(_, feature)| name.eq_ignore_ascii_case(feature))
+        let found = all.into_iter().find(|(_, own, _)| name.eq_ignore_ascii_case(own));
+        found.map(|(function, _, feature)| (function, feature))
     }
 }
 
@@ -132,6 +138,23 @@ impl<'m> Lowering<'m> {
         behind(target)
     }
 
+    /// The place of a value whose members are looked for: of a union, by its address in bytes.
+    pub(super) fn entered(&mut self, place: VariablePlace) -> VariablePlace {
+        if !self.model.types.is_union(place.ty) {
+            return place;
+        }
+        if place.location != Location::Bytes {
+            self.push_address(place.location);
+            self.emit(Instruction::AddressOf);
+            self.addresses.are_taken = true;
+        }
+        VariablePlace {
+            location: Location::Bytes,
+            overlaid: true,
+            ..place
+        }
+    }
+
     /// The location of a member of what lies at a place.
     pub(super) fn member_location(&mut self, place: VariablePlace, member: &TypeMember) -> Location {
         let offset = match place.location {
@@ -143,7 +166,7 @@ impl<'m> Lowering<'m> {
 
     /// The place by the address of its cell, which all that is no plain value needs, and VAR_IN_OUT and calls.
     pub(super) fn located(&mut self, place: VariablePlace) -> VariablePlace {
-        if place.location != Location::Bytes {
+        if place.location != Location::Bytes || place.overlaid {
             return place;
         }
         let layout = self.layout(place.ty);
@@ -230,13 +253,15 @@ impl<'m> Lowering<'m> {
         self.finish_store(place, span);
     }
 
-    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference is; gives whether it was.
+    /// Reports a reference that leads to another type than the one that is expected, or NULL where no reference and no interface is; gives
+    /// whether it was.
     pub(super) fn refuses_reference(&mut self, id: ExpressionId, inferred: Inferred, to: TypeId) -> bool {
         let (types, dialect) = (&self.model.types, self.model.source.dialect);
         let Inferred::Known(from) = inferred else {
             return false;
         };
-        if types.pointer(from).is_none() || addresses_are_numbers(dialect) {
+        let is_interface = types.is_interface(to);
+        if types.pointer(from).is_none() || addresses_are_numbers(dialect) && !is_interface {
             return false;
         }
         let (code, message) = match (types.pointer(to), self.address_operand(id)) {
@@ -253,7 +278,11 @@ impl<'m> Lowering<'m> {
                 let message = format!("{} is no {}", types.name(from), types.name(to));
                 (Code::ReferenceTypeMismatch, message)
             }
-            (None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR => {
+            (None, Some(_)) if from == TypeId::ADDRESS && is_interface => {
+                let message = format!("the address of a variable is no {}", types.name(to));
+                (Code::ReferenceTypeMismatch, message)
+            }
+            (None, None) if from == TypeId::ADDRESS && to != TypeId::ERROR && !is_interface => {
                 let message = "only a reference or pointer can be NULL".to_owned();
                 (Code::NullRequiresReferenceType, message)
             }
@@ -290,6 +319,7 @@ impl<'m> Lowering<'m> {
         match function {
             AddressFunction::Adr | AddressFunction::Ref => Inferred::Known(TypeId::ADDRESS),
             AddressFunction::IsValidRef => Inferred::from(ElementaryType::Bool),
+            AddressFunction::LowerBound | AddressFunction::UpperBound => Inferred::from(ElementaryType::Dint),
             AddressFunction::SizeOf => {
                 let operand = single_argument(arguments, Span::default()).ok();
                 let size = operand.and_then(|operand| self.size_of(operand));
@@ -306,6 +336,10 @@ impl<'m> Lowering<'m> {
         arguments: &[Argument<'m>],
         wanted: Option<TypeId>,
     ) -> LoweredValue {
+        if let AddressFunction::LowerBound | AddressFunction::UpperBound = function {
+            let limit = u32::from(function == AddressFunction::UpperBound);
+            return self.call_bound(call, limit, arguments);
+        }
         let operand = match single_argument(arguments, self.span(call)) {
             Ok(operand) => operand,
             Err(reason) => return self.refuse(reason, arguments),
@@ -316,7 +350,7 @@ impl<'m> Lowering<'m> {
                 None => LoweredValue::ERROR,
             },
             AddressFunction::IsValidRef => self.is_valid(operand),
-            AddressFunction::SizeOf => {
+            _ => {
                 let Some(size) = self.size_of(operand) else {
                     return self.refuse_size(operand);
                 };
@@ -366,7 +400,8 @@ impl<'m> Lowering<'m> {
     /// Returns the number of bytes of what SIZEOF is applied to; `None` where it has no size that is known.
     fn size_of(&mut self, operand: ExpressionId) -> Option<i128> {
         let ty = self.sized_type(operand).filter(|&ty| ty != TypeId::ERROR)?;
-        let has_size = !self.model.types.extent(ty).has_block;
+        let types = &self.model.types;
+        let has_size = !types.extent(ty).has_block && !types.is_variable_length(ty);
         let size = has_size.then(|| self.sizes(ty).0);
         size.filter(|&size| size < u32::MAX).map(i128::from)
     }
@@ -376,7 +411,7 @@ impl<'m> Lowering<'m> {
             Some(TypeId::ERROR) => return LoweredValue::ERROR,
             Some(_) => (
                 Code::NotImplemented,
-                "sizes of function blocks, and of 4 GiB and more, are not implemented",
+                "sizes of function blocks, of ARRAY[*], and of 4 GiB and more, are not implemented",
             ),
             None if self.value(operand, None).ty == TypeId::ERROR => return LoweredValue::ERROR,
             None => (

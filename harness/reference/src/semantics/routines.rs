@@ -5,8 +5,8 @@ use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
 use super::model::{ConfiguredValue, InitialRoutine, PouEntry};
 use super::trace::TracedUse;
-use crate::instruction::{Instruction, MachineProgram};
-use stickler_syntax::tree::VariableKind;
+use crate::instruction::{Instruction, LogicOperator, MachineProgram};
+use stickler_syntax::tree::{Edge, VariableKind};
 
 impl<'m> Lowering<'m> {
     /// Lowers everything that is declared. Gives the program, and its uses where a record of them is kept.
@@ -84,10 +84,7 @@ impl<'m> Lowering<'m> {
         );
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
-            if !matches!(
-                kind,
-                VariableKind::Input | VariableKind::InOut | VariableKind::External | VariableKind::Static
-            ) {
+            if kind.is_held() && !matches!(kind, VariableKind::Input | VariableKind::Static) {
                 self.begin_with(index);
             }
         }
@@ -110,13 +107,11 @@ impl<'m> Lowering<'m> {
         }
         for index in entry.variables.clone() {
             let kind = self.model.variable(index).kind;
-            if !matches!(
-                kind,
-                VariableKind::Temporary | VariableKind::InOut | VariableKind::External | VariableKind::Static
-            ) {
+            if kind.is_held() && !matches!(kind, VariableKind::Temporary | VariableKind::Static) {
                 self.begin_with(index);
             }
         }
+        self.begin_edges(entry);
         self.emit(Instruction::Return);
         self.emitter.begin(entry.body);
         // A body without statements has steps all the same, and a limit that they exceed has a line.
@@ -126,8 +121,48 @@ impl<'m> Lowering<'m> {
                 self.begin_anew(index);
             }
         }
+        self.detect_edges(entry);
         self.statements(&entry.pou.body);
         self.emit(Instruction::Return);
+    }
+
+    /// Sets the inputs with a falling edge to TRUE for the call before the first, where that one falls at FALSE.
+    fn begin_edges(&mut self, entry: &'m PouEntry<'m>) {
+        let falls = self.model.source.dialect.first_call_falls;
+        for input in entry.variables.clone().filter(|_| falls) {
+            if self.model.variable(input).edge == Some(Edge::Falling) {
+                let before = VariablePlace::of(self.model.variable(input + 2));
+                self.begin_store(before);
+                self.emit(Instruction::Push(1));
+                self.finish_store(before, entry.pou.name.span);
+            }
+        }
+    }
+
+    /// Finds the edges of the inputs that have an edge qualifier, in the block and in those that it extends.
+    fn detect_edges(&mut self, entry: &'m PouEntry<'m>) {
+        let (model, span) = (self.model, entry.pou.name.span);
+        let Some(pou) = self.pou else { return };
+        let levels = model.levels(pou);
+        let variables = levels.iter().flat_map(|level| level.variables.clone());
+        for (input, edge) in variables.filter_map(|index| Some((index, model.variable(index).edge?))) {
+            let [now, seen, before] =
+                [0, 1, 2].map(|behind| VariablePlace::of(model.variable(input + behind)));
+            let (is_true, is_false) = match edge {
+                Edge::Rising => (now, before),
+                Edge::Falling => (before, now),
+            };
+            self.begin_store(seen);
+            self.load(is_true);
+            self.load(is_false);
+            self.emit(Instruction::Push(1));
+            self.emit(Instruction::Logic(LogicOperator::Xor));
+            self.emit(Instruction::Logic(LogicOperator::And));
+            self.finish_store(seen, span);
+            self.begin_store(before);
+            self.load(now);
+            self.finish_store(before, span);
+        }
     }
 
     /// Global variables in the order of the text, then the static ones of each POU, then program instances in their order.

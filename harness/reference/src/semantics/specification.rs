@@ -38,10 +38,20 @@ impl<'u> Declarer<'u, '_> {
                 }
                 self.array(dimensions, ty, specification.span)
             }
+            TypeSpecificationKind::VariableLengthArray { element, .. } => {
+                self.specification(element, hint);
+                let message = "`ARRAY[*]` stands in VAR_IN_OUT of functions, methods and function blocks, by the standard \
+                               also in VAR_INPUT and VAR_OUTPUT of the first two; here an array has limits";
+                self.report(Code::ArrayDimensionInvalid, specification.span, message);
+                TypeId::ERROR
+            }
             TypeSpecificationKind::Pointer { form, target } => self.pointer_type(*form, target, hint),
             TypeSpecificationKind::Enumeration { base, values } => self.enumeration(*base, values, hint),
             TypeSpecificationKind::Structure(groups) => {
-                self.structure(None, groups, hint, specification.span)
+                self.structure(None, (groups, false), hint, specification.span)
+            }
+            TypeSpecificationKind::Union(groups) => {
+                self.structure(None, (groups, true), hint, specification.span)
             }
             TypeSpecificationKind::Error => TypeId::ERROR,
         }
@@ -172,6 +182,36 @@ impl<'u> Declarer<'u, '_> {
         self.array_of(element, &bounds, span)
     }
 
+    /// The type of a parameter, which may be an ARRAY[*].
+    pub(super) fn parameter_type(
+        &mut self,
+        specification: &'u TypeSpecification<'u>,
+        hint: &'u str,
+    ) -> TypeId {
+        let TypeSpecificationKind::VariableLengthArray { dimensions, element } = &specification.kind else {
+            return self.specification(specification, hint);
+        };
+        let element = self.specification(element, hint);
+        let extent = Extent {
+            depth: self.model.types.extent(element).depth + 1,
+            ..Extent::PLAIN
+        };
+        if element == TypeId::ERROR || self.too_deep(extent.depth, specification.span) {
+            return TypeId::ERROR;
+        }
+        let dimensions: Box<[_]> = vec![Dimension::VARIABLE; *dimensions as usize].into();
+        let known = self.model.types.known_array(element, &dimensions);
+        known.unwrap_or_else(|| {
+            let length = 0;
+            let shape = ArrayShape {
+                element,
+                dimensions,
+                length,
+            };
+            self.model.types.add_array(shape, extent)
+        })
+    }
+
     fn array_of(&mut self, element: TypeId, bounds: &[(i64, i64)], span: Span) -> TypeId {
         let inner = *self.model.types.extent(element);
         let mut dimensions = Vec::with_capacity(bounds.len());
@@ -203,6 +243,7 @@ impl<'u> Declarer<'u, '_> {
             text_units: inner.text_units.saturating_mul(length),
             depth: inner.depth + 1,
             has_block: inner.has_block,
+            has_interface: inner.has_interface,
             default,
         };
         let length = u32::try_from(length).unwrap_or(u32::MAX);
@@ -231,9 +272,9 @@ impl<'u> Declarer<'u, '_> {
     ) -> TypeId {
         let ty = self.named(base);
         match self.model.types.kind(ty) {
-            TypeKind::Structure(_) => {
+            TypeKind::Structure(structure) if !structure.is_union => {
                 let base = self.model.types.root(ty);
-                self.structure(Some(base), groups, name, span)
+                self.structure(Some(base), (groups, false), name, span)
             }
             TypeKind::Error => TypeId::ERROR,
             _ => {
@@ -247,7 +288,7 @@ impl<'u> Declarer<'u, '_> {
     fn structure(
         &mut self,
         base: Option<TypeId>,
-        groups: &'u [VariableGroup<'u>],
+        (groups, is_union): (&'u [VariableGroup<'u>], bool),
         name: &str,
         span: Span,
     ) -> TypeId {
@@ -259,20 +300,28 @@ impl<'u> Declarer<'u, '_> {
         });
         let mut size = u64::from(extent.size);
         let mut zero = extent.default == DefaultValue::Zero;
+        let mut align = 1;
         for group in groups {
             let hint = group.names.first().map_or("", |name| name.text);
             let ty = self.group_type(group, hint);
             let inner = *self.model.types.extent(ty);
-            if self.is_abstract(ty) {
-                let message = "an ABSTRACT function block has no instances";
-                let span = group.specification.span;
-                self.report(Code::AbstractFunctionBlockInstantiated, span, message);
-            }
+            self.refuse_abstract(ty, group.specification.span);
             zero &= group.initializer.is_none() && inner.default == DefaultValue::Zero;
             extent.depth = extent.depth.max(inner.depth);
             extent.has_block |= inner.has_block;
+            extent.has_interface |= inner.has_interface;
+            if is_union {
+                let units = self.model.source.dialect.conversions.moment_units;
+                let (bytes, of_field) = self.layouts.size(&self.model.types, units, ty);
+                (size, align) = (size.max(bytes.into()), of_field.max(align));
+            }
+            if is_union && (inner.has_block || inner.has_interface) {
+                let message =
+                    "function blocks and interfaces in a UNION are not implemented: they are no bytes";
+                self.report(Code::NotImplemented, group.specification.span, message);
+            }
             for name in &group.names {
-                let offset = u32::try_from(size).unwrap_or(u32::MAX);
+                let offset = [u32::try_from(size).unwrap_or(u32::MAX), 0][usize::from(is_union)];
                 let member = TypeMember {
                     ty,
                     offset,
@@ -286,10 +335,13 @@ impl<'u> Declarer<'u, '_> {
                     let message = format!("element `{}` is already declared", name.text);
                     self.report(Code::StructureDuplicatedElement, name.span, message);
                 }
-                size += u64::from(inner.size);
-                extent.text_units = extent.text_units.saturating_add(inner.text_units);
+                if !is_union {
+                    size += u64::from(inner.size);
+                    extent.text_units = extent.text_units.saturating_add(inner.text_units);
+                }
             }
         }
+        size = size.next_multiple_of(align.into());
         if self.too_deep(extent.depth, span) || self.too_large(size, span) {
             return TypeId::ERROR;
         }
@@ -304,6 +356,7 @@ impl<'u> Declarer<'u, '_> {
             name: name.into(),
             pou: u32::MAX,
             base,
+            is_union,
             members,
         };
         let kind = TypeKind::Structure(Box::new(structure));

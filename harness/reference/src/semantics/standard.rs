@@ -274,9 +274,9 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Replaces the integer on the stack by a limit where, without a sign, it is greater.
-    fn bound(&mut self, limit: u64) {
-        self.emit(Instruction::Push(limit));
+    /// Replaces a ULINT, which is on the stack, by the greatest one that is allowed where it is greater.
+    fn bound(&mut self, greatest: u64) {
+        self.emit(Instruction::Push(greatest));
         self.emit(Instruction::Standard {
             function: StandardFunction::Min,
             of: ElementaryType::Ulint,

@@ -50,11 +50,8 @@ impl<'m> Lowering<'m> {
             StatementKind::Continue => match self.loops.last_mut() {
                 Some(around) => around.continues.push(self.emitter.jump()),
                 None => {
-                    self.report(
-                        Code::ContinueOutsideLoop,
-                        statement.span,
-                        "CONTINUE stands in no loop",
-                    );
+                    let message = "CONTINUE stands in no loop";
+                    self.report(Code::ContinueOutsideLoop, statement.span, message);
                 }
             },
             StatementKind::Return => self.emit(Instruction::Return),
@@ -62,7 +59,8 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
+    /// Lowers `target := value`.
+    pub(super) fn assignment(&mut self, target: ExpressionId, value: ExpressionId) {
         if let Some(property) = self.property(target) {
             return self.write_property(target, property, value);
         }

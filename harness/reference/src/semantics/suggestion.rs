@@ -13,7 +13,7 @@ use crate::library;
 use std::sync::LazyLock;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::ExpressionId;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, joined};
 
 /// The most names of the text that are compared with an unknown one.
 const MAX_CANDIDATES: usize = 2000;
@@ -174,10 +174,9 @@ fn similar<'n>(
         .map(|(_, name)| format!("`{name}`"))
         .take(3)
         .collect();
-    match &names[..] {
-        [] => String::new(),
-        [one] => format!("; did you mean {one}?"),
-        [others @ .., last] => format!("; did you mean {} or {last}?", others.join(", ")),
+    match joined(&names, "or") {
+        none if none.is_empty() => none,
+        names => format!("; did you mean {names}?"),
     }
 }
 

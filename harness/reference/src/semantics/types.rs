@@ -92,9 +92,9 @@ pub(super) struct Enumeration {
 pub(super) struct ArrayShape {
     /// The elements' type.
     pub(super) element: TypeId,
-    /// The dimensions, the first varying slowest.
+    /// The dimensions, the first varying slowest; of an ARRAY[*] each is [`Dimension::VARIABLE`].
     pub(super) dimensions: Box<[Dimension]>,
-    /// The number of elements.
+    /// The number of elements; 0 of an ARRAY[*].
     pub(super) length: u32,
 }
 
@@ -109,7 +109,28 @@ pub(super) struct Dimension {
     pub(super) stride: u32,
 }
 
+impl ArrayShape {
+    /// Returns whether only a call says what the limits are: those of its argument.
+    pub(super) fn is_variable_length(&self) -> bool {
+        self.length == 0
+    }
+
+    /// Returns whether the limits are DINT, as LOWER_BOUND gives them, of so few dimensions that each call may pass them all.
+    pub(super) fn has_plain_limits(&self) -> bool {
+        let is_dint = |limit: i64| i32::try_from(limit).is_ok();
+        let mut dimensions = self.dimensions.iter();
+        self.dimensions.len() <= 16 && dimensions.all(|limits| is_dint(limits.low) && is_dint(limits.high))
+    }
+}
+
 impl Dimension {
+    /// A dimension of an ARRAY[*].
+    pub(super) const VARIABLE: Dimension = Dimension {
+        low: 1,
+        high: 0,
+        stride: 0,
+    };
+
     /// Returns the number of subscripts. Arrays are bounded, so 32 bits suffice.
     pub(super) fn length(self) -> u32 {
         u32::try_from(self.high.wrapping_sub(self.low).wrapping_add(1)).unwrap_or(0)
@@ -125,6 +146,8 @@ pub(super) struct Structure {
     pub(super) pou: u32,
     /// The type that it extends, whose elements lie before its own.
     pub(super) base: Option<TypeId>,
+    /// Whether all elements share the memory: a union, of which each cell holds a byte.
+    pub(super) is_union: bool,
     /// The elements, those of the base left out.
     pub(super) members: NamedList<TypeMember>,
 }
@@ -177,6 +200,8 @@ pub(super) struct Extent {
     pub(super) depth: u32,
     /// Whether a function block is part of it.
     pub(super) has_block: bool,
+    /// Whether an interface is part of it.
+    pub(super) has_interface: bool,
     /// The value without an initial value.
     pub(super) default: DefaultValue,
 }
@@ -188,6 +213,7 @@ impl Extent {
         text_units: 0,
         depth: 0,
         has_block: false,
+        has_interface: false,
         default: DefaultValue::Zero,
     };
 }
@@ -199,8 +225,8 @@ pub(super) const MAX_ANCESTORS: u32 = 200;
 /// The default maximum length of STRING and WSTRING; the standard leaves it to the implementer.
 pub(super) const DEFAULT_CAPACITY: u32 = 254;
 
-/// Every type of a source text.
-#[derive(Debug)]
+/// Every type of a source text; by default the elementary ones.
+#[derive(Default, Debug)]
 pub(super) struct TypeTable {
     /// The declared types; before them come the [`BUILT_IN`].
     declared: Vec<TypeRow>,
@@ -239,17 +265,6 @@ static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::
 });
 
 impl TypeTable {
-    /// The table with the elementary types in it.
-    pub(super) fn new() -> TypeTable {
-        TypeTable {
-            declared: Vec::new(),
-            texts: FxHashMap::default(),
-            subranges: FxHashMap::default(),
-            arrays: FxHashMap::default(),
-            parents: FxHashMap::default(),
-        }
-    }
-
     /// Notes the types that a new type extends or implements, of which there are at most [`MAX_ANCESTORS`].
     pub(super) fn set_parents(&mut self, id: TypeId, parents: Vec<TypeId>) {
         self.parents.insert(id, parents);
@@ -273,6 +288,11 @@ impl TypeTable {
             TypeKind::Structure(structure) | TypeKind::FunctionBlock(structure) => Some(structure),
             _ => None,
         }
+    }
+
+    /// Returns whether a type is a union.
+    pub(super) fn is_union(&self, id: TypeId) -> bool {
+        self.structure(id).is_some_and(|structure| structure.is_union)
     }
 
     /// Returns the element or variable of a name, inherited ones among them.
@@ -331,6 +351,27 @@ impl TypeTable {
         }
     }
 
+    /// Returns a type as a function block, class or interface, if it is one.
+    pub(super) fn object(&self, id: TypeId) -> Option<&Structure> {
+        match self.kind(id) {
+            TypeKind::FunctionBlock(object) | TypeKind::Interface(object) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// Returns whether a type is an interface.
+    pub(super) fn is_interface(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Interface(_))
+    }
+
+    /// Returns a type as an array, if it is one.
+    pub(super) fn array(&self, id: TypeId) -> Option<&ArrayShape> {
+        match self.kind(id) {
+            TypeKind::Array(shape) => Some(shape),
+            _ => None,
+        }
+    }
+
     /// Returns a type as a reference or pointer, if it is one.
     pub(super) fn pointer(&self, id: TypeId) -> Option<PointerType> {
         match self.kind(id) {
@@ -375,6 +416,26 @@ impl TypeTable {
         is_text && self.value_type(one) == self.value_type(other) || self.is_same(one, other)
     }
 
+    /// Returns whether a type is that of an ARRAY[*].
+    pub(super) fn is_variable_length(&self, id: TypeId) -> bool {
+        matches!(self.kind(id), TypeKind::Array(shape) if shape.is_variable_length())
+    }
+
+    /// Returns whether an array may be passed where an ARRAY[*] is expected.
+    ///
+    /// Basis: iec-61131-3: 6.5.3 of the third edition.
+    pub(super) fn fits_variable_length(&self, argument: TypeId, parameter: TypeId) -> bool {
+        match (self.kind(argument), self.kind(parameter)) {
+            (TypeKind::Array(one), TypeKind::Array(other)) => {
+                other.is_variable_length()
+                    && one.has_plain_limits()
+                    && one.dimensions.len() == other.dimensions.len()
+                    && self.is_same(one.element, other.element)
+            }
+            _ => false,
+        }
+    }
+
     /// Adds another name for a type, which may have a default value of its own.
     pub(super) fn add_alias(&mut self, base: TypeId, name: &str, default: DefaultValue) -> TypeId {
         let extent = Extent {
@@ -417,13 +478,11 @@ impl TypeTable {
         } else {
             DefaultValue::Constant(subrange.base.wrap(subrange.low))
         };
-        let id = self.add(
-            TypeKind::Subrange(subrange),
-            Extent {
-                default,
-                ..Extent::PLAIN
-            },
-        );
+        let extent = Extent {
+            default,
+            ..Extent::PLAIN
+        };
+        let id = self.add(TypeKind::Subrange(subrange), extent);
         self.subranges.insert(subrange, id);
         id
     }
@@ -500,12 +559,15 @@ impl TypeTable {
             | TypeKind::Interface(structure) => structure.name.to_string(),
             TypeKind::Pointer(_) if id == TypeId::ADDRESS => "an address".to_owned(),
             TypeKind::Pointer(pointer) => {
-                format!("{} {}", pointer.form.words(), self.name(pointer.target))
+                format!("{} {}", pointer.form.as_str(), self.name(pointer.target))
             }
             TypeKind::Array(shape) => {
                 let limits = shape.dimensions.iter();
                 let limits: Vec<_> = limits
-                    .map(|limit| format!("{}..{}", limit.low, limit.high))
+                    .map(|limit| match shape.is_variable_length() {
+                        true => "*".to_owned(),
+                        false => format!("{}..{}", limit.low, limit.high),
+                    })
                     .collect();
                 format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))
             }

@@ -7,7 +7,7 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    Access, CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, Edge, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -47,8 +47,10 @@ impl<'u> Declarer<'u, '_> {
     ) {
         let hint = group.names.first().map_or("", |name| name.text);
         let first = self.model.variables.len();
+        let limits = self.limits_of(pou, block, group);
         let later = match block.kind {
             VariableKind::External => true,
+            _ if limits > 0 => true,
             // Nobody calls a program, so there VAR_IN_OUT declares variables like any others.
             VariableKind::InOut => self.model.pous[pou].pou.kind != PouKind::Program,
             _ => false,
@@ -60,7 +62,7 @@ impl<'u> Declarer<'u, '_> {
         };
         self.check_group(self.model.pous[pou].pou.kind, block, group, ty);
         for name in &group.names {
-            self.declare_variable(pou, *name, block, group, ty);
+            self.declare_variable(pou, *name, block, (group, limits), ty);
         }
         if later {
             self.deferred.push(Deferred {
@@ -72,6 +74,25 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
+    /// Returns the number of cells behind the address of a parameter for the limits of its argument, three for each dimension of an
+    /// ARRAY[*]; 0 for all other variables, and where there may be none.
+    ///
+    /// Basis: iec-61131-3: 6.5.3 of the third edition.
+    fn limits_of(&self, pou: usize, block: &VariableBlock<'u>, group: &VariableGroup<'u>) -> u32 {
+        let may = match block.kind {
+            VariableKind::InOut => self.model.pous[pou].pou.kind != PouKind::Program,
+            VariableKind::Input | VariableKind::Output => {
+                let lacks = self.model.source.dialect.lacks("variable-length-input");
+                self.model.pous[pou].is_function() && !lacks
+            }
+            _ => false,
+        };
+        match group.specification.kind {
+            TypeSpecificationKind::VariableLengthArray { dimensions, .. } if may => dimensions * 3,
+            _ => 0,
+        }
+    }
+
     /// Checks what concerns a whole group at once.
     pub(super) fn check_group(
         &mut self,
@@ -80,19 +101,18 @@ impl<'u> Declarer<'u, '_> {
         group: &VariableGroup<'u>,
         ty: TypeId,
     ) {
-        let held = !matches!(block.kind, VariableKind::InOut | VariableKind::External);
+        let is_array = matches!(
+            group.specification.kind,
+            TypeSpecificationKind::VariableLengthArray { .. }
+        );
+        let held = block.kind.is_held() && !is_array;
         if let (false, Some(initializer)) = (held, &group.initializer) {
             let message = "what stands for another variable has no initial value of its own";
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
         let has_block = held && self.model.types.extent(ty).has_block;
-        if held && self.is_abstract(ty) {
-            let message = "an ABSTRACT function block has no instances";
-            self.report(
-                Code::AbstractFunctionBlockInstantiated,
-                group.specification.span,
-                message,
-            );
+        if held {
+            self.refuse_abstract(ty, group.specification.span);
         }
         if has_block && pou == PouKind::Function && !self.model.source.dialect.blocks_in_functions {
             let message = "a function keeps nothing between calls, so it can have no function block";
@@ -126,20 +146,18 @@ impl<'u> Declarer<'u, '_> {
         pou: usize,
         name: Name<'u>,
         block: &VariableBlock<'u>,
-        group: &'u VariableGroup<'u>,
+        (group, limits): (&'u VariableGroup<'u>, u32),
         ty: TypeId,
     ) {
         let index = saturating_u32(self.model.variables.len());
         let in_program = self.model.pous[pou].pou.kind == PouKind::Program;
         let kind = match block.kind {
             VariableKind::InOut if in_program => VariableKind::Local,
+            _ if limits > 0 => VariableKind::InOut,
             kind => kind,
         };
         if matches!(kind, VariableKind::Input | VariableKind::InOut) {
             self.model.pous[pou].parameters.push(index);
-        }
-        if kind == VariableKind::InOut {
-            self.model.pous[pou].in_outs.push(index);
         }
         let fixed = block.constant
             && matches!(
@@ -153,17 +171,39 @@ impl<'u> Declarer<'u, '_> {
         };
         // Only now is the name known: a constant is not made of itself.
         self.enter_variable(pou, name, index);
+        let variable = DeclaredVariable::new(name, ty, kind).declared(block, group);
+        let constant = block.constant || limits > 0 && block.kind == VariableKind::Input;
         self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind,
-            constant: block.constant,
-            is_public: matches!(block.access, Some(Access::Public | Access::Internal)),
-            storage: Storage::Absolute(0),
-            initializer: group.initializer.as_ref(),
-            repeated: group.names.first().is_none_or(|first| first.span != name.span),
+            section: block.kind,
+            limits,
+            constant,
             value,
+            ..variable
         });
+        if let Some(edge) = group.edge {
+            self.declare_edge(pou, index, ty, edge);
+        }
+    }
+
+    /// Declares what the body sees in place of an input with an edge qualifier, and the value of the input in the call before.
+    ///
+    /// Basis: iec-61131-3: 6.6.3.5.3 of the third edition (as if the input were that of an R_TRIG or F_TRIG).
+    fn declare_edge(&mut self, pou: usize, input: u32, ty: TypeId, edge: Edge) {
+        let DeclaredVariable { name, kind, .. } = self.model.variables[input as usize];
+        let has_body = matches!(
+            self.model.pous[pou].pou.kind,
+            PouKind::FunctionBlock | PouKind::Program
+        );
+        if !has_body || kind != VariableKind::Input || !matches!(ty, TypeId::BOOL | TypeId::ERROR) {
+            let message = format!("{edge} stands behind a BOOL input of a function block or program");
+            self.report(Code::SyntaxError, name.span, message);
+            return;
+        }
+        self.model.variables[input as usize].edge = Some(edge);
+        for _ in 0..2 {
+            let hidden = DeclaredVariable::new(name, TypeId::BOOL, VariableKind::Instance);
+            self.model.variables.push(hidden);
+        }
     }
 
     fn enter_variable(&mut self, pou: usize, name: Name<'u>, index: u32) {
@@ -194,23 +234,15 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::FunctionBlockInFunction, result.span, message);
         }
         let index = saturating_u32(self.model.variables.len());
-        self.model.variables.push(DeclaredVariable {
-            name,
-            ty,
-            kind: [VariableKind::Output, VariableKind::Input][usize::from(is_setter)],
-            constant: false,
-            is_public: false,
-            storage: Storage::Absolute(0),
-            initializer: None,
-            repeated: false,
-            value: Constant::Variable,
-        });
         let entry = &mut self.model.pous[pou];
-        if is_setter {
+        let kind = if is_setter {
             entry.parameters.push(index);
+            VariableKind::Input
         } else {
             entry.result = Some(index);
-        }
+            VariableKind::Output
+        };
+        self.model.variables.push(DeclaredVariable::new(name, ty, kind));
         entry.scope.insert(CaseFolded(name.text), index);
     }
 
@@ -242,14 +274,16 @@ impl<'u> Declarer<'u, '_> {
                 VariableKind::External | VariableKind::Static => continue,
                 VariableKind::InOut => {
                     variable.storage = Storage::InstancePointer(offset);
-                    size += 1;
+                    size += 1 + u64::from(variable.limits);
                 }
                 _ => {
                     variable.storage = Storage::Instance(offset);
                     size += u64::from(inner.size);
                     extent.text_units = extent.text_units.saturating_add(inner.text_units);
                     extent.depth = extent.depth.max(inner.depth);
-                    zero &= variable.initializer.is_none() && inner.default == DefaultValue::Zero;
+                    // Before the first call an input with an edge qualifier may count as TRUE.
+                    zero &= variable.initializer.is_none() && variable.edge.is_none();
+                    zero &= inner.default == DefaultValue::Zero;
                 }
             }
             let member = TypeMember {
@@ -277,6 +311,7 @@ impl<'u> Declarer<'u, '_> {
             name: name.text.into(),
             pou: saturating_u32(pou),
             base,
+            is_union: false,
             members,
         });
         let kind = match program {

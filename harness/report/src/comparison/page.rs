@@ -97,22 +97,13 @@ fn style(kind: Kind) -> Style {
     }
 }
 
-fn word(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Crashed => "crashed",
-        Kind::Broken => "broken",
-        Kind::Fixed => "fixed",
-        Kind::Otherwise => "otherwise",
-    }
-}
-
 /// Writes the first line of a group: `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
 fn write_head(out: &mut dyn Write, group: &[&Change], several: bool) -> io::Result<()> {
     let Some(first) = group.first() else {
         return Ok(());
     };
     let style = style(first.kind);
-    write!(out, "{style}{}{style:#} ", word(first.kind).to_uppercase())?;
+    write!(out, "{style}{}{style:#} ", first.kind.as_str().to_uppercase())?;
     match group.len() {
         1 => write!(out, "{BOLD}{}@{}{BOLD:#}", first.id, first.dialect)?,
         number => write!(
@@ -186,7 +177,7 @@ fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Vec<&Change>]) -> io::R
         writeln!(
             out,
             "{style}... and {cases} more{style:#} {}; --json has them all",
-            word(kind)
+            kind.as_str()
         )?;
     }
     match groups.is_empty() {
@@ -212,7 +203,7 @@ fn write_last_line(out: &mut dyn Write, comparison: &Comparison) -> io::Result<(
         .into_iter()
         .map(|kind| (kind, comparison.of_kind(kind).count()))
         .filter(|(_, number)| *number > 0)
-        .map(|(kind, number)| format!("{number} {}", word(kind)))
+        .map(|(kind, number)| format!("{number} {}", kind.as_str()))
         .collect();
     let cases = counted(compared, "case", "cases");
     if compared == 0 {

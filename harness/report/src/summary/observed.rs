@@ -4,7 +4,7 @@ use super::BoundedMarkdown;
 use crate::markdown::{code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
-use stickler_types::counted;
+use stickler_types::{counted, joined};
 
 /// The maximum number of disagreements that are shown.
 const MAX_SHOWN: usize = 100;
@@ -39,7 +39,7 @@ fn line(disagreement: &Disagreement<'_>) -> String {
         .iter()
         .map(|(value, who)| {
             let names: Vec<String> = who.iter().map(|name| inline(name)).collect();
-            format!("{} by {}", code(value), listed(&names))
+            format!("{} by {}", code(value), joined(&names, "and"))
         })
         .collect();
     let alike = match disagreement.cases {
@@ -58,13 +58,4 @@ fn line(disagreement: &Disagreement<'_>) -> String {
         code(disagreement.name),
         values.join(", ")
     )
-}
-
-/// Joins names as a list in prose: `a`, `a and b`, `a, b and c`.
-fn listed(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
 }

@@ -34,7 +34,7 @@ pub(super) fn compare(
     if rendering
         .rerun
         .as_ref()
-        .is_some_and(|rerun| !means_the_same(run, rerun))
+        .is_some_and(|rerun| !run.ends_like(rerun))
     {
         findings.require(false);
         findings.add(Fact::RenderedMeansOther);
@@ -165,23 +165,5 @@ fn not_rendered(outcome: &Outcome, rendered: Option<&str>) -> Fact {
     Fact::NotRendered {
         again: rendered.is_some(),
         rejection,
-    }
-}
-
-/// Returns whether two runs ended alike. Lines may differ, since comments are dropped.
-fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
-    match (run, rerun) {
-        (
-            Outcome::Faulted { fault, values, .. },
-            Outcome::Faulted {
-                fault: fault_again,
-                values: values_again,
-                ..
-            },
-        ) => fault == fault_again && values == values_again,
-        // A rejected program may have been rendered all the same; then the text must be rejected too, at
-        // whatever place.
-        (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => true,
-        _ => run == rerun,
     }
 }

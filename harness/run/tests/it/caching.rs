@@ -1,10 +1,10 @@
 //! Tests of runs with stored answers: engines are not asked again what they answered before, and the events are the same.
 
-use crate::fixtures::{Book, Puppet, case, numbered, suite, timeless_run, with_jobs};
+use crate::fixtures::{Book, case, numbered, puppet, suite, timeless_run, with_jobs};
 use crate::words::outcome;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use stickler_engines::{Engine, Outcome, RunRequest};
+use stickler_engines::{ClosureEngine, Engine, Outcome, RunRequest};
 use stickler_run::{AnswerStore, Event, Plan, RunSummary, run_with};
 use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
@@ -22,7 +22,7 @@ fn moody(request: &RunRequest<'_>) -> Outcome {
 /// Runs the suite on this engine, and returns the summary and the events without their durations.
 fn go(
     suite: &Suite,
-    engine: &Puppet,
+    engine: &ClosureEngine<'_>,
     memory: Option<&dyn AnswerStore>,
     jobs: usize,
 ) -> (RunSummary, Vec<Event>) {
@@ -33,7 +33,7 @@ fn go(
 fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_events_are_the_same() {
     let asked = Arc::new(AtomicUsize::new(0));
     let count = Arc::clone(&asked);
-    let engine = Puppet::new("puppet", move |request| {
+    let engine = puppet("puppet", move |request| {
         count.fetch_add(1, Ordering::Relaxed);
         moody(request)
     });
@@ -66,7 +66,7 @@ fn a_second_run_asks_only_what_is_new_or_says_nothing_of_the_engine_and_its_even
 
 #[test]
 fn an_answer_that_cannot_be_read_is_asked_again() {
-    let engine = Puppet::new("puppet", moody);
+    let engine = puppet("puppet", moody);
     let book = Book::default();
     let (_, first) = go(&numbered(2..10), &engine, Some(&book), 1);
     let mut book = book.turned();
@@ -80,11 +80,11 @@ fn an_answer_that_cannot_be_read_is_asked_again() {
 #[test]
 fn what_is_cached_does_not_wait_for_a_run_that_stops() {
     let book = Book::default();
-    go(&numbered(2..5), &Puppet::new("puppet", moody), Some(&book), 1);
+    go(&numbered(2..5), &puppet("puppet", moody), Some(&book), 1);
     let book = book.turned();
     let cancel = Arc::new(Cancellation::new());
     let raise = Arc::clone(&cancel);
-    let engine = Puppet::new("puppet", move |request| {
+    let engine = puppet("puppet", move |request| {
         raise.request();
         moody(request)
     });
@@ -153,7 +153,7 @@ fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
         ..case("program")
     });
     let book = Book::default();
-    let engine = Puppet::new("puppet", |_| Outcome::ACCEPTED);
+    let engine = puppet("puppet", |_| Outcome::ACCEPTED);
     go(&suite(different), &engine, Some(&book), 1);
     assert_eq!(book.now.into_inner().unwrap().len(), changes.len());
 }

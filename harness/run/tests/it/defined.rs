@@ -1,6 +1,6 @@
 //! Tests of baselines that name dialects of `stickler.toml`, and of suites that cannot be read.
 
-use crate::fixtures::{Puppet, case, engine_header, event, suite, timeless_run};
+use crate::fixtures::{case, engine_header, event, puppet, suite, timeless_run};
 use crate::words::outcome;
 use jiff::civil::date;
 use stickler_run::{Baseline, BaselineNote, CaseEvent, EngineRun, Plan, Verdict, bless};
@@ -22,7 +22,7 @@ fn outdated(case: &str, suite: &Suite) -> u64 {
         baselines: vec![Baseline::read(&entry(case, "fail"), "b/iron.toml", "iron").unwrap()],
         ..Plan::default()
     };
-    let engine = Puppet::new("iron", |_| outcome("executed"));
+    let engine = puppet("iron", |_| outcome("executed"));
     timeless_run(&plan, suite, &[&engine], &[]).0.outdated
 }
 

@@ -1,7 +1,7 @@
 //! The tests that are tables and files in `tests/examples`.
 
 use crate::defined;
-use crate::fixtures::{Book, Puppet, engine_header, event, sources, suite};
+use crate::fixtures::{Book, answering, engine_header, event, puppet, sources, suite};
 use crate::words::{expecting, outcome, shown};
 use std::time::Duration;
 use stickler_engines::{Engine, EngineSession, Identity, Outcome};
@@ -17,11 +17,7 @@ use stickler_workers::{Cancellation, Shard};
 
 /// Returns the grade of the column `strict`; the code where there is none.
 fn strict(example: &Example) -> Grade {
-    match example.text("strict") {
-        "rejected" => Grade::Rejected,
-        "line" => Grade::Line,
-        _ => Grade::Code,
-    }
+    Grade::from_word(example.text("strict")).unwrap_or_default()
 }
 
 /// Returns a rendered program: one with this body, if the text is no whole program and no other outcome.
@@ -147,12 +143,12 @@ fn golden_stored_answers() {
         };
         let case = expecting(expects);
         let told = answers(example);
-        let engine = Puppet::answering("puppet", told.clone());
+        let engine = answering("puppet", told.clone());
         let mut session = EngineSession::new(&engine);
         let mut book = Book::default();
         if let Some(stored) = example.get("stored") {
             book.before.insert(question(&case), stored.to_owned());
-            let engine = Puppet::new("other", |_| outcome("crashed: asked"));
+            let engine = puppet("other", |_| outcome("crashed: asked"));
             let known = ask_stored(&mut EngineSession::new(&engine), &case, Some(&book)).unwrap();
             return if known == told { "known" } else { "asked again" }.to_owned();
         }
@@ -163,7 +159,7 @@ fn golden_stored_answers() {
         };
         assert!(!stored.contains('\n'), "{stored}");
         // What was kept is read as it was, without the engine.
-        let silent = Puppet::new("silent", |_| panic!("asked again"));
+        let silent = puppet("silent", |_| panic!("asked again"));
         assert_eq!(
             ask_stored(&mut EngineSession::new(&silent), &case, Some(&book)).unwrap(),
             told
@@ -244,7 +240,7 @@ fn golden_bindings() {
             .split_whitespace()
             .map(|code| code.parse().unwrap())
             .collect();
-        let puppet = Puppet::answering(name, answers(example));
+        let puppet = answering(name, answers(example));
         let engine = Identity {
             lacks: codes,
             version: example.get("version").unwrap_or("1").to_owned(),
@@ -307,7 +303,7 @@ fn case_of(line: &str) -> Case {
 /// in `odd`, and fails the rest. Shows the verdict and the entry of each case, the entries that are out of date, and how many cases are not
 /// as expected.
 fn run_with_baseline(example: &Example) -> String {
-    let mut engine = Puppet::new("iron", |request| {
+    let mut engine = puppet("iron", |request| {
         outcome(match request.source {
             good if good.ends_with("good") => "executed\nq = INT#1",
             bad if bad.ends_with("bad") => "crashed: dead",

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex};
-use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
+use stickler_engines::{Ability, ClosureEngine, Engine, Grade, Identity, Outcome, RunRequest};
 use stickler_run::{
     AnswerStore, Answers, CaseEvent, EngineHeader, Event, Footer, Plan, Rendering, RunSummary, Verdict,
     run_with,
@@ -143,94 +143,44 @@ pub fn suite(cases: Vec<Case>) -> Suite {
     suite
 }
 
-type Run = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;
-type Render = Box<dyn Fn(&str) -> Outcome + Send + Sync>;
-
-/// An engine whose answers the test states.
-pub struct Puppet {
-    pub identity: Identity,
-    run: Run,
-    render: Render,
-    /// The function that is called whenever a session is opened.
-    pub open: Box<dyn Fn() -> Result<(), EngineError> + Send + Sync>,
+/// Returns an engine with this name that supports all dialects, and renders every program as it is.
+pub fn puppet(
+    name: &str,
+    run: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static,
+) -> ClosureEngine<'static> {
+    let mut engine = ClosureEngine::new(name, move |_, request| run(request));
+    engine.identity = Identity {
+        name: name.to_owned(),
+        version: "1".to_owned(),
+        dialects: DialectName::ALL.to_vec(),
+        abilities: vec![Ability::Execute],
+        grade: Grade::Code,
+        lacks: Vec::new(),
+    };
+    engine.render = Some(Box::new(|_, source| Outcome::Rendered {
+        text: source.to_owned(),
+    }));
+    engine
 }
 
-impl Puppet {
-    /// Creates an engine with this name that supports all dialects, and renders every program as it is.
-    pub fn new(name: &str, run: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static) -> Puppet {
-        let identity = Identity {
-            name: name.to_owned(),
-            version: "1".to_owned(),
-            dialects: DialectName::ALL.to_vec(),
-            abilities: vec![Ability::Execute],
-            grade: Grade::Code,
-            lacks: Vec::new(),
-        };
-        Puppet {
-            identity,
-            run: Box::new(run),
-            render: Box::new(|source| Outcome::Rendered {
-                text: source.to_owned(),
-            }),
-            open: Box::new(|| Ok(())),
-        }
-    }
-
-    /// Creates an engine that gives these answers about any case.
-    pub fn answering(name: &str, answers: Answers) -> Puppet {
-        let Answers { run, rendering } = answers;
-        let Some(Rendering { first, again, rerun }) = rendering else {
-            return Puppet::new(name, move |_| run.clone());
-        };
-        let is_rendered =
-            |source: &str, first: &Outcome| matches!(first, Outcome::Rendered { text } if text == source);
-        let of_run = first.clone();
-        let engine = Puppet::new(name, move |request| match &rerun {
-            Some(rerun) if is_rendered(request.source, &of_run) => rerun.clone(),
-            _ => run.clone(),
-        });
-        let render = move |source: &str| match &again {
-            Some(again) if is_rendered(source, &first) => again.clone(),
-            _ => first.clone(),
-        };
-        Puppet {
-            render: Box::new(render),
-            ..engine
-        }
-    }
-
-    /// Restricts the engine to this dialect.
-    pub fn only(mut self, dialect: DialectName) -> Puppet {
-        self.identity.dialects = vec![dialect];
-        self
-    }
-}
-
-impl Engine for Puppet {
-    fn identity(&self) -> &Identity {
-        &self.identity
-    }
-
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        (self.open)()?;
-        Ok(Box::new(PuppetSession(self)))
-    }
-}
-
-struct PuppetSession<'e>(&'e Puppet);
-
-impl Session for PuppetSession<'_> {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        (self.0.run)(request)
-    }
-
-    fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::ACCEPTED
-    }
-
-    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
-        (self.0.render)(source)
-    }
+/// Returns an engine that gives these answers about any case.
+pub fn answering(name: &str, answers: Answers) -> ClosureEngine<'static> {
+    let Answers { run, rendering } = answers;
+    let Some(Rendering { first, again, rerun }) = rendering else {
+        return puppet(name, move |_| run.clone());
+    };
+    let is_rendered =
+        |source: &str, first: &Outcome| matches!(first, Outcome::Rendered { text } if text == source);
+    let of_run = first.clone();
+    let mut engine = puppet(name, move |request| match &rerun {
+        Some(rerun) if is_rendered(request.source, &of_run) => rerun.clone(),
+        _ => run.clone(),
+    });
+    engine.render = Some(Box::new(move |_, source| match &again {
+        Some(again) if is_rendered(source, &first) => again.clone(),
+        _ => first.clone(),
+    }));
+    engine
 }
 
 /// Returns what a run says about an engine of this name.

@@ -1,9 +1,9 @@
 //! Tests what an engine lacks: features, and programs without a mistake beside those that it must reject.
 
-use crate::fixtures::{Puppet, suite, timeless_run, with_jobs};
+use crate::fixtures::{puppet, suite, timeless_run, with_jobs};
 use crate::words::expecting;
 use std::collections::BTreeMap;
-use stickler_engines::{Outcome, RunRequest};
+use stickler_engines::{ClosureEngine, Outcome, RunRequest};
 use stickler_run::{Cause, Event, Grade, Plan, RunError, Verdict, run};
 use stickler_suite::{Case, Features, Suite};
 use stickler_types::Diagnostic;
@@ -28,7 +28,7 @@ fn with_features(cases: Vec<Case>) -> Suite {
 }
 
 /// Returns an engine that rejects what holds any of these words, on the line where the first one is.
-fn without(words: &'static [&'static str]) -> Puppet {
+fn without(words: &'static [&'static str]) -> ClosureEngine<'static> {
     let answer = move |request: &RunRequest<'_>| {
         let mut lines = request.source.lines().zip(1..);
         let refused = lines.find(|(line, _)| words.iter().any(|word| line.contains(word)));
@@ -41,13 +41,13 @@ fn without(words: &'static [&'static str]) -> Puppet {
             None => Outcome::ACCEPTED,
         }
     };
-    let mut engine = Puppet::new("little", answer);
+    let mut engine = puppet("little", answer);
     engine.identity.grade = Grade::Rejected;
     engine
 }
 
 /// Returns the verdict of each case by its id, and the features that the engine lacks.
-fn verdicts(plan: &Plan, suite: &Suite, engine: &Puppet) -> (Vec<(String, Verdict)>, Vec<Cause>) {
+fn verdicts(plan: &Plan, suite: &Suite, engine: &ClosureEngine<'_>) -> (Vec<(String, Verdict)>, Vec<Cause>) {
     let (_, events) = timeless_run(plan, suite, &[engine], &[]);
     let mut found = (Vec::new(), Vec::new());
     for event in events {
@@ -107,7 +107,7 @@ fn a_body_keeps_a_statement_where_one_without_is_refused_for_that() {
             }])
         })
     };
-    let (_, lacks) = verdicts(&with_jobs(1), &suite, &Puppet::new("little", answer));
+    let (_, lacks) = verdicts(&with_jobs(1), &suite, &puppet("little", answer));
     let [lreal] = &lacks[..] else { panic!("{lacks:#?}") };
     assert!(
         lreal.shown.program.contains("    ;\nEND_PROGRAM"),
@@ -135,7 +135,7 @@ fn data_types_that_are_refused_in_the_same_words_are_one_cause() {
             }])
         })
     };
-    let (_, lacks) = verdicts(&with_jobs(1), &suite, &Puppet::new("little", answer));
+    let (_, lacks) = verdicts(&with_jobs(1), &suite, &puppet("little", answer));
     let found: Vec<(&str, &str, u64)> = lacks
         .iter()
         .map(|lack| (&*lack.construct, &*lack.title, lack.number()))

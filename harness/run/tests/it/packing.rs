@@ -1,7 +1,7 @@
 //! Tests of runs in which an engine is given several programs at a time: only the duration may change.
 
 use crate::fixtures::{
-    Puppet, events_of_a_twentieth, footer, ids, number, numbered, timeless_events, with_jobs,
+    events_of_a_twentieth, footer, ids, number, numbered, puppet, timeless_events, with_jobs,
 };
 use crate::words::{expecting, outcome};
 use std::sync::Arc;
@@ -138,7 +138,7 @@ fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
 
 #[test]
 fn a_culprit_is_found_in_few_packs_and_asked_alone() {
-    let puppet = Puppet::new("puppet", |request| match number(request.source) {
+    let puppet = puppet("puppet", |request| match number(request.source) {
         77 => outcome("rejected\n1 P4035"),
         _ => outcome("executed"),
     });
@@ -157,7 +157,7 @@ fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() 
     for (number, case) in suite.cases.iter_mut().enumerate() {
         case.expectation = expecting(["", "", "error 1 P4035", "error 1 P0002"][number % 4]).expectation;
     }
-    let puppet = Puppet::new("puppet", |request| match number(request.source) % 4 {
+    let puppet = puppet("puppet", |request| match number(request.source) % 4 {
         0 | 1 => outcome("executed"),
         2 => outcome("rejected\n1 P4035"),
         _ => outcome("rejected\n1 P0002"),
@@ -178,7 +178,7 @@ fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() 
 
 #[test]
 fn an_unpacked_run_asks_about_each_program_alone() {
-    let packing = Packing::new(Puppet::new("puppet", |_| outcome("executed")), 16, of_all_or_none);
+    let packing = Packing::new(puppet("puppet", |_| outcome("executed")), 16, of_all_or_none);
     let plan = Plan {
         unpacked: true,
         ..Plan::default()
@@ -191,7 +191,7 @@ fn an_unpacked_run_asks_about_each_program_alone() {
 #[test]
 fn an_engine_that_panics_over_a_pack_or_answers_too_little_is_asked_alone() {
     for sure in [(|_| panic!("broken")) as Sure, |_| Vec::new(), |_| vec![true]] {
-        let packing = Packing::new(Puppet::new("puppet", |_| outcome("executed")), 16, sure);
+        let packing = Packing::new(puppet("puppet", |_| outcome("executed")), 16, sure);
         let events = timeless_events(&with_jobs(2), &numbered(0..64), &[&packing]);
         let footer = footer(&events).unwrap();
         assert_eq!(footer.totals.pass, 64);
@@ -200,8 +200,8 @@ fn an_engine_that_panics_over_a_pack_or_answers_too_little_is_asked_alone() {
 
 #[test]
 fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
-    let packing = Packing::new(Puppet::new("packs", |_| outcome("executed")), 16, of_all_or_none);
-    let single = Puppet::new("single", |_| outcome("executed"));
+    let packing = Packing::new(puppet("packs", |_| outcome("executed")), 16, of_all_or_none);
+    let single = puppet("single", |_| outcome("executed"));
     let events = timeless_events(&with_jobs(2), &numbered(0..200), &[&packing, &single]);
     let engines: Vec<&str> = events
         .iter()
@@ -219,7 +219,7 @@ fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
 fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
     let cancel = Arc::new(Cancellation::new());
     let flag = Arc::clone(&cancel);
-    let puppet = Puppet::new("puppet", move |request| {
+    let puppet = puppet("puppet", move |request| {
         // In the midst of halving, so that some of the pack are settled and others are not.
         if number(request.source) == 900 {
             flag.request();

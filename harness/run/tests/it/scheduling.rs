@@ -1,7 +1,7 @@
 //! Tests of whole runs over engines that only pretend.
 
 use crate::fixtures::{
-    Puppet, case, footer, ids, number, numbered, sources, suite, timeless_events, with_jobs,
+    case, footer, ids, number, numbered, puppet, sources, suite, timeless_events, with_jobs,
 };
 use crate::words::outcome;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -26,7 +26,7 @@ fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary
 
 #[test]
 fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
-    let engine = Puppet::new("puppet", |_| outcome("executed"));
+    let engine = puppet("puppet", |_| outcome("executed"));
     let plan = Plan {
         started: "today".to_owned(),
         command: "stickler".to_owned(),
@@ -60,7 +60,7 @@ fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
         2..25 => outcome("rejected"),
         _ => outcome("executed\nx = INT#1"),
     };
-    let engine = Puppet::new("puppet", moody);
+    let engine = puppet("puppet", moody);
     let cases = numbered(0..500);
     let stream = |jobs| timeless_events(&with_jobs(jobs), &cases, &[&engine]);
     let alone = stream(1);
@@ -74,7 +74,7 @@ fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
 fn a_slow_first_case_does_not_change_the_order() {
     let ran = Arc::new((Mutex::new(0_usize), Condvar::new()));
     let shared = Arc::clone(&ran);
-    let engine = Puppet::new("puppet", move |request| {
+    let engine = puppet("puppet", move |request| {
         let (count, more) = &*shared;
         let mut count = count.lock().unwrap();
         *count += 1;
@@ -96,7 +96,7 @@ fn a_slow_first_case_does_not_change_the_order() {
 fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
     let opened = Arc::new(AtomicUsize::new(0));
     let count = Arc::clone(&opened);
-    let mut engine = Puppet::new("puppet", |request| match number(request.source) {
+    let mut engine = puppet("puppet", |request| match number(request.source) {
         3 => panic!("broken string"),
         5 => panic!("broken number {}", request.scans),
         _ => outcome("executed"),
@@ -130,7 +130,7 @@ fn no_engine_is_asked_a_claim_that_begins_after_its_version() {
     let mut suite = suite(cases.to_vec());
     suite.sources = sources("tests/versions");
     let asked = |name, version: &str| {
-        let mut engine = Puppet::new(name, |_| outcome("executed"));
+        let mut engine = puppet(name, |_| outcome("executed"));
         engine.identity.version = version.to_owned();
         ids(&go(&with_jobs(1), &suite, &[&engine]).1).len()
     };
@@ -144,8 +144,9 @@ fn no_engine_is_asked_a_claim_that_begins_after_its_version() {
 
 #[test]
 fn every_engine_runs_the_dialects_that_it_speaks() {
-    let first = Puppet::new("first", |_| outcome("executed"));
-    let second = Puppet::new("second", |_| outcome("timed out: 1")).only(DialectName::PLCNEXT);
+    let first = puppet("first", |_| outcome("executed"));
+    let mut second = puppet("second", |_| outcome("timed out: 1"));
+    second.identity.dialects = vec![DialectName::PLCNEXT];
     let plcnext = Case {
         dialect: DialectName::PLCNEXT,
         ..case("area/1")
@@ -173,7 +174,8 @@ fn every_engine_runs_the_dialects_that_it_speaks() {
 
 #[test]
 fn nothing_selected_is_an_error_before_any_event() {
-    let silent = Puppet::new("puppet", |_| outcome("executed")).only(DialectName::PLCNEXT);
+    let mut silent = puppet("puppet", |_| outcome("executed"));
+    silent.identity.dialects = vec![DialectName::PLCNEXT];
     let (outcome, events) = go(&with_jobs(1), &numbered(0..3), &[&silent]);
     assert!(matches!(outcome, Err(RunError::NoCaseSelected)));
     assert_eq!(events, []);
@@ -183,7 +185,7 @@ fn nothing_selected_is_an_error_before_any_event() {
 fn an_engine_that_cannot_be_opened_at_first_or_again_ends_the_run_without_a_footer() {
     for sessions in [0, 2] {
         let left = AtomicUsize::new(sessions);
-        let mut engine = Puppet::new("puppet", |_| panic!("broken"));
+        let mut engine = puppet("puppet", |_| panic!("broken"));
         engine.open = Box::new(move || {
             let another = left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1));
             another.map(drop).map_err(|_| EngineError::NotStarted {
@@ -209,7 +211,7 @@ fn an_engine_that_cannot_be_opened_at_first_or_again_ends_the_run_without_a_foot
 
 #[test]
 fn a_cancelled_run_gives_a_prefix_and_no_footer() {
-    let engine = Puppet::new("puppet", |_| outcome("executed"));
+    let engine = puppet("puppet", |_| outcome("executed"));
     let cancel = Cancellation::new();
     let mut events = Vec::new();
     let mut sink = |event: Event| {
@@ -232,7 +234,7 @@ fn a_cancelled_run_gives_a_prefix_and_no_footer() {
 
 #[test]
 fn a_run_cancelled_before_it_begins_runs_nothing() {
-    let engine = Puppet::new("puppet", |_| panic!("asked all the same"));
+    let engine = puppet("puppet", |_| panic!("asked all the same"));
     let cancel = Cancellation::new();
     cancel.request();
     let mut events = 0;

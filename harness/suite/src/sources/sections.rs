@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, ElementaryType, words};
 
 use crate::near::suggestion;
 
@@ -15,41 +15,21 @@ pub(crate) struct Sections {
     pub(super) forms: Vec<SectionForm>,
 }
 
-/// A kind of names of sections.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum SectionForm {
-    /// A cell of a table of types, `SINT to INT`.
-    Cells,
-    /// A clause, a table or an annex of the standard: `6.3.4`, `Table 3`, `Annex B`.
-    Clauses,
-    /// A diagnostic code of the registry, `P4035`.
-    Codes,
-    /// The path of a file in a repository, `tests/lit/single/conversion/to_num.st`.
-    Paths,
+words! {
+    /// A kind of names of sections, with its word in the key `sections`.
+    SectionForm {
+        /// A cell of a table of types, `SINT to INT`.
+        Cells = "cells",
+        /// A clause, a table or an annex of the standard: `6.3.4`, `Table 3`, `Annex B`.
+        Clauses = "clauses",
+        /// A diagnostic code of the registry, `P4035`.
+        Codes = "codes",
+        /// The path of a file in a repository, `tests/lit/single/conversion/to_num.st`.
+        Paths = "paths",
+    }
 }
 
 impl SectionForm {
-    const ALL: [SectionForm; 4] = [
-        SectionForm::Cells,
-        SectionForm::Clauses,
-        SectionForm::Codes,
-        SectionForm::Paths,
-    ];
-
-    /// Returns the form that a word of the key `sections` stands for.
-    pub(super) fn from_word(word: &str) -> Option<SectionForm> {
-        SectionForm::ALL.into_iter().find(|form| form.word() == word)
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            SectionForm::Cells => "cells",
-            SectionForm::Clauses => "clauses",
-            SectionForm::Codes => "codes",
-            SectionForm::Paths => "paths",
-        }
-    }
-
     fn has(self, section: &str) -> bool {
         match self {
             SectionForm::Cells => is_cell(section),

@@ -9,17 +9,15 @@ use stickler_types::{Dialect, DialectName, Question};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
 /// Basis: iec-61131-3: second edition, Annex C.
-const KEYWORDS: [&str; 12] = [
+const KEYWORDS: [&str; 10] = [
     "ACTION",
     "END_ACTION",
     "END_STEP",
     "END_TRANSITION",
     "FROM",
-    "F_EDGE",
     "INITIAL_STEP",
     "READ_ONLY",
     "READ_WRITE",
-    "R_EDGE",
     "STEP",
     "TRANSITION",
 ];

@@ -19,7 +19,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         at: &Context<'t, 's>,
     ) {
         use ExpressionKind::{
-            Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
+            Assigned, Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
             Parenthesized, Part, Unary,
         };
         let span = expression.span;
@@ -50,6 +50,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             Index { .. } => "array-element",
             Dereference { .. } => "dereference",
+            Assigned { .. } => "assignment-expression",
             Bit { .. } if !span.text(self.text).contains('%') => "bit-access",
             Unary { operator, .. } => match operator {
                 UnaryOperator::Negate if self.negates_literal(expression, at) => return,
@@ -254,9 +255,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         if let Some(ty) = ty {
             self.note_type(ty, span);
             let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
+            let is_duration = literal.kind == LiteralKind::Duration;
             self.note_if(is_number, "typed-literal", span);
             self.note_if(is_number && is_signed, "typed-literal-sign", span);
-            let is_duration = literal.kind == LiteralKind::Duration;
             self.note_if(is_duration && is_signed, "duration-sign", span);
         }
     }
@@ -291,6 +292,7 @@ fn family(name: &str) -> Option<&'static str> {
         ("SPLIT", Some(_)) => "split-date-time",
         ("DAY", None) if rest == "OF_WEEK" => "day-of-week",
         ("TO" | "FROM", None) if rest.ends_with("_ENDIAN") => "byte-order",
+        ("LOWER" | "UPPER", None) if rest == "BOUND" => "bound-function",
         ("IS", None) if rest.starts_with("VALID") => "validity",
         _ => return None,
     })

@@ -35,9 +35,7 @@ impl<'s> Parser<'s, '_> {
         self.expected(&quoted(closer.text()));
         if let Some((meant, tokens)) = self.misspelt_end() {
             if meant == closer || !self.blocks.iter().any(|block| block.awaits(meant)) {
-                (0..tokens).for_each(|_| {
-                    self.bump();
-                });
+                self.bump_all(tokens);
             }
             return;
         }
@@ -69,7 +67,7 @@ impl<'s> Parser<'s, '_> {
     }
 
     /// The statements in a block.
-    fn block(&mut self, block: OpenBlock) -> Vec<Statement> {
+    pub(super) fn block(&mut self, block: OpenBlock) -> Vec<Statement> {
         self.blocks.push(block);
         let body = self.statements();
         self.blocks.pop();
@@ -141,17 +139,10 @@ impl<'s> Parser<'s, '_> {
         }
         if read.is_ok() {
             self.missing(&quoted(closer.text()));
-            if let Some((meant, tokens)) = self.misspelt_end()
-                && meant == closer
-            {
-                (0..tokens).for_each(|_| {
-                    self.bump();
-                });
-                return read.map_err(|_| start);
-            }
-            if self.kind() == TokenKind::Semicolon && self.nth(1) == closer {
-                self.bump();
-                self.bump();
+            let misspelt = self.misspelt_end().filter(|(meant, _)| *meant == closer);
+            let is_behind = self.kind() == TokenKind::Semicolon && self.nth(1) == closer;
+            if let Some(tokens) = misspelt.map(|(_, tokens)| tokens).or(is_behind.then_some(2)) {
+                self.bump_all(tokens);
                 return read.map_err(|_| start);
             }
             let goes_on = self.starts_line() || self.kind().opens_statement();
@@ -192,11 +183,7 @@ impl<'s> Parser<'s, '_> {
         let from = self.expression()?;
         self.require(TokenKind::To)?;
         let to = self.expression()?;
-        let by = if self.eat(TokenKind::By) {
-            Some(self.expression()?)
-        } else {
-            None
-        };
+        let by = self.optional(TokenKind::By, Self::expression)?;
         Ok((control, from, to, by))
     }
 
@@ -241,19 +228,11 @@ impl<'s> Parser<'s, '_> {
 
     /// `1, 5..7, RED`.
     fn case_labels(&mut self) -> ParseResult<Vec<CaseLabel>> {
-        let mut labels = Vec::with_capacity(1);
-        loop {
-            let low = self.expression()?;
-            let range = self.eat(TokenKind::DotDot);
-            labels.push(if range {
-                CaseLabel::Range(low, self.expression()?)
-            } else {
-                CaseLabel::Value(low)
-            });
-            if !self.eat(TokenKind::Comma) {
-                return Ok(labels);
-            }
-        }
+        self.list(|parser| {
+            let low = parser.expression()?;
+            let high = parser.optional(TokenKind::DotDot, Self::expression)?;
+            Ok(high.map_or(CaseLabel::Value(low), |high| CaseLabel::Range(low, high)))
+        })
     }
 
     /// A label, and no statement, begins here: a literal, a prefix operator, or a name or call with something

@@ -2,9 +2,7 @@
 
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
-use crate::tree::{
-    Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind,
-};
+use crate::tree::{Configuration, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind};
 
 impl<'s> Parser<'s, '_> {
     /// CONFIGURATION … END_CONFIGURATION; `None` without a name, when the contents are read all the same.
@@ -19,15 +17,9 @@ impl<'s> Parser<'s, '_> {
                 continue;
             }
             // The programs that stand directly in the configuration share a resource without a header.
-            if resources
-                .last()
-                .is_none_or(|resource: &Resource| resource.header.is_some())
-            {
-                resources.push(Resource {
-                    header: None,
-                    tasks: Vec::new(),
-                    programs: Vec::new(),
-                });
+            let last: Option<&Resource<'_>> = resources.last();
+            if last.is_none_or(|resource| resource.header.is_some()) {
+                resources.push(Resource::default());
             }
             if let Some(resource) = resources.last_mut() {
                 self.resource_item(resource, &mut sections);
@@ -68,8 +60,7 @@ impl<'s> Parser<'s, '_> {
         }
         let mut resource = Resource {
             header,
-            tasks: Vec::new(),
-            programs: Vec::new(),
+            ..Resource::default()
         };
         while !self.at_end_of(TokenKind::EndResource) && self.kind() != TokenKind::Resource {
             self.resource_item(&mut resource, sections);
@@ -117,20 +108,11 @@ impl<'s> Parser<'s, '_> {
     fn task(&mut self) -> ParseResult<Task<'s>> {
         self.bump();
         let name = self.name("a task's name")?;
-        let mut properties: Vec<(Name<'s>, ExpressionId)> = Vec::new();
-        if self.eat(TokenKind::LeftParen) {
-            self.open += 1;
-            loop {
-                let property = self.name("SINGLE, INTERVAL or PRIORITY")?;
-                self.require(TokenKind::Assign)?;
-                properties.push((property, self.expression()?));
-                if !self.eat(TokenKind::Comma) {
-                    break;
-                }
-            }
-            self.require(TokenKind::RightParen)?;
-            self.open -= 1;
-        }
+        let property = |parser: &mut Self| parser.named("SINGLE, INTERVAL or PRIORITY", Self::expression);
+        let properties = match self.kind() {
+            TokenKind::LeftParen => self.bracketed(TokenKind::RightParen, |parser| parser.list(property))?,
+            _ => Vec::new(),
+        };
         self.semicolon(TokenKind::Colon)?;
         Ok(Task { name, properties })
     }
@@ -142,11 +124,7 @@ impl<'s> Parser<'s, '_> {
             self.bump();
         }
         let name = self.name("a program instance's name")?;
-        let task = if self.eat(TokenKind::With) {
-            Some(self.name("a task's name")?)
-        } else {
-            None
-        };
+        let task = self.optional(TokenKind::With, |parser| parser.name("a task's name"))?;
         self.require(TokenKind::Colon)?;
         let type_name = self.name("a program's name")?;
         self.unsupported_connections();

@@ -81,6 +81,13 @@ impl<'s> Parser<'s, '_> {
         token
     }
 
+    /// Takes several tokens.
+    pub(super) fn bump_all(&mut self, tokens: usize) {
+        for _ in 0..tokens {
+            self.bump();
+        }
+    }
+
     /// Drops what lies far behind, and reads another chunk.
     #[cold]
     fn read_on(&mut self) {
@@ -198,5 +205,53 @@ impl<'s> Parser<'s, '_> {
         } else {
             Err(self.missing(&quoted(kind.text())))
         }
+    }
+
+    /// What stands between brackets, of which the opening one is the next token.
+    pub(super) fn bracketed<T>(
+        &mut self,
+        closer: TokenKind,
+        production: impl FnOnce(&mut Self) -> ParseResult<T>,
+    ) -> ParseResult<T> {
+        self.bump();
+        self.open += 1;
+        let inner = production(self)?;
+        self.require(closer)?;
+        self.open -= 1;
+        Ok(inner)
+    }
+
+    /// One or several of something, with commas between them.
+    pub(super) fn list<T>(
+        &mut self,
+        mut production: impl FnMut(&mut Self) -> ParseResult<T>,
+    ) -> ParseResult<Vec<T>> {
+        let mut list = Vec::with_capacity(1);
+        loop {
+            list.push(production(self)?);
+            if !self.eat(TokenKind::Comma) {
+                return Ok(list);
+            }
+        }
+    }
+
+    /// Something behind a keyword or sign, where that stands here.
+    pub(super) fn optional<T>(
+        &mut self,
+        sign: TokenKind,
+        production: impl FnOnce(&mut Self) -> ParseResult<T>,
+    ) -> ParseResult<Option<T>> {
+        self.eat(sign).then(|| production(self)).transpose()
+    }
+
+    /// `name := value`.
+    pub(super) fn named<T>(
+        &mut self,
+        what: &str,
+        value: impl FnOnce(&mut Self) -> ParseResult<T>,
+    ) -> ParseResult<(Name<'s>, T)> {
+        let name = self.name(what)?;
+        self.require(TokenKind::Assign)?;
+        Ok((name, value(self)?))
     }
 }

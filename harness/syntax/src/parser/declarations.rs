@@ -101,7 +101,7 @@ impl<'s> Parser<'s, '_> {
         let members = std::mem::take(&mut self.members);
         self.check_parts(kind, &members, &mut body);
         let end = self.token().span;
-        self.close(closer(kind));
+        self.close(kind.closer());
         let name = name?;
         if self.incomplete && kind == PouKind::FunctionBlock {
             return Some(unknown_type(name));
@@ -150,12 +150,10 @@ impl<'s> Parser<'s, '_> {
         if kind == PouKind::Function && self.eat(TokenKind::Colon) {
             result = Some(self.result_type());
         } else if self.kind() == TokenKind::Colon || kind == PouKind::Function && self.stray_result() {
-            self.expected(if kind == PouKind::Function {
-                "`:`"
-            } else {
-                "variables, statements or the end"
-            });
-            result = (kind == PouKind::Function).then(|| error_specification(self.token().span));
+            let is_function = kind == PouKind::Function;
+            let what = ["variables, statements or the end", "`:`"][usize::from(is_function)];
+            self.expected(what);
+            result = is_function.then(|| error_specification(self.token().span));
             self.skip_line();
         }
         self.stray_semicolon();
@@ -263,20 +261,6 @@ impl<'s> Parser<'s, '_> {
     fn type_of_declaration(&mut self) -> ParseResult<TypeSpecification<'s>> {
         self.require(TokenKind::Colon)?;
         self.type_specification()
-    }
-}
-
-/// The keyword that closes a POU.
-pub(super) fn closer(kind: PouKind) -> TokenKind {
-    match kind {
-        PouKind::Program => TokenKind::EndProgram,
-        PouKind::Function => TokenKind::EndFunction,
-        PouKind::FunctionBlock => TokenKind::EndFunctionBlock,
-        PouKind::Class => TokenKind::EndClass,
-        PouKind::Interface => TokenKind::EndInterface,
-        PouKind::Method => TokenKind::EndMethod,
-        PouKind::Getter => TokenKind::EndGet,
-        PouKind::Setter => TokenKind::EndSet,
     }
 }
 

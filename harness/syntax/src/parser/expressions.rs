@@ -101,7 +101,7 @@ impl<'s> Parser<'s, '_> {
 
     /// AND_THEN or OR_ELSE, and how tight it binds.
     fn short_circuit(&mut self, operator: BinaryOperator, precedence: u8) -> (BinaryOperator, u8) {
-        self.has("short-circuit", self.token().span, operator.symbol());
+        self.has("short-circuit", self.token().span, operator.as_str());
         (operator, precedence)
     }
 
@@ -144,17 +144,48 @@ impl<'s> Parser<'s, '_> {
         Ok(self.push(ExpressionKind::Unary { operator, operand }, span))
     }
 
+    /// `value`, or `target := value`, which is a value itself. Where `target` begins a line, a semicolon is missing before it.
+    ///
+    /// Basis: codesys-pages: _cds_exst_operator_expression.
+    pub(super) fn assigned_value(&mut self) -> ParseResult<ExpressionId> {
+        let mut value = self.expression()?;
+        let mut targets = Vec::new();
+        while self.kind() == TokenKind::Assign && self.is_path(value) {
+            self.back();
+            let begins_line = self.starts_line();
+            self.bump();
+            if begins_line {
+                break;
+            }
+            let span = self.bump().span;
+            self.has("assignment-expression", span, "an assignment as a value");
+            targets.push(value);
+            value = self.expression()?;
+        }
+        for target in targets.into_iter().rev() {
+            self.grow(0)?;
+            let span = self.span_of(target).to(self.span_of(value));
+            value = self.push(ExpressionKind::Assigned { target, value }, span);
+        }
+        Ok(value)
+    }
+
+    /// The expression is a variable, or a part of one.
+    fn is_path(&self, id: ExpressionId) -> bool {
+        use ExpressionKind::{Bit, Dereference, Field, Index, Name, Part};
+        let expression = self.expressions.get(id.0 as usize);
+        expression.is_some_and(|expression| {
+            matches!(
+                expression.kind,
+                Name(_) | Field { .. } | Index { .. } | Dereference { .. } | Bit { .. } | Part { .. }
+            )
+        })
+    }
+
     /// `(inner)`.
     fn parenthesized(&mut self) -> ParseResult<ExpressionId> {
         let start = self.token().span;
-        let inner = self.nested(|parser| {
-            parser.bump();
-            parser.open += 1;
-            let inner = parser.expression()?;
-            parser.require(TokenKind::RightParen)?;
-            parser.open -= 1;
-            Ok(inner)
-        })?;
+        let inner = self.nested(|parser| parser.bracketed(TokenKind::RightParen, Self::assigned_value))?;
         self.grow(0)?;
         Ok(self.push(
             ExpressionKind::Parenthesized(inner),

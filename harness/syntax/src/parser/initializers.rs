@@ -2,7 +2,7 @@
 
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
-use crate::tree::{ArrayElement, Initializer, InitializerKind, Name};
+use crate::tree::{ArrayElement, Initializer, InitializerKind};
 
 impl<'s> Parser<'s, '_> {
     /// Reads the initial value behind `:=` in a declaration.
@@ -23,18 +23,9 @@ impl<'s> Parser<'s, '_> {
 
     /// `[1, 2, 3(0)]`.
     fn array_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut elements = Vec::new();
-        loop {
-            elements.push(self.array_element()?);
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightBracket)?;
-        self.open -= 1;
-        Ok(InitializerKind::Array(elements))
+        let elements = |parser: &mut Self| parser.list(Self::array_element);
+        self.bracketed(TokenKind::RightBracket, elements)
+            .map(InitializerKind::Array)
     }
 
     /// A value, or `3(value)`, `3(value, value)` or `3()`.
@@ -48,35 +39,17 @@ impl<'s> Parser<'s, '_> {
             });
         }
         let repetition = Some(self.literal());
-        self.bump();
-        self.open += 1;
-        let mut values = Vec::new();
-        if self.kind() != TokenKind::RightParen {
-            values.push(self.nested(Self::initializer)?);
-            while self.eat(TokenKind::Comma) {
-                values.push(self.nested(Self::initializer)?);
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let values = self.bracketed(TokenKind::RightParen, |parser| match parser.kind() {
+            TokenKind::RightParen => Ok(Vec::new()),
+            _ => parser.list(|parser| parser.nested(Self::initializer)),
+        })?;
         Ok(ArrayElement { repetition, values })
     }
 
     /// `(x := 1, y := 2)`.
     fn structure_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut fields: Vec<(Name<'s>, Initializer<'s>)> = Vec::new();
-        loop {
-            let name = self.name("a field's name")?;
-            self.require(TokenKind::Assign)?;
-            fields.push((name, self.initializer()?));
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
-        Ok(InitializerKind::Structure(fields))
+        let field = |parser: &mut Self| parser.named("a field's name", Self::initializer);
+        self.bracketed(TokenKind::RightParen, |parser| parser.list(field))
+            .map(InitializerKind::Structure)
     }
 }

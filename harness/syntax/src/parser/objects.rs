@@ -3,7 +3,6 @@
 //!
 //! Basis: iec-61131-3: third edition, 6.6.5 to 6.6.8; codesys-pages: _cds_obj_property.
 
-use super::declarations::closer;
 use super::open::OpenBlock;
 use super::state::Parser;
 use crate::source::Span;
@@ -20,9 +19,13 @@ impl<'s> Parser<'s, '_> {
             "property" | "var-inst" | "structure-extends" | "pointer-to-this" => {
                 (Code::UnexpectedToken, extension)
             }
-            "pointer" | "reference-to" | "reference-binding" | "short-circuit" | "var-stat" => {
-                (Code::SyntaxError, extension)
-            }
+            "pointer"
+            | "reference-to"
+            | "reference-binding"
+            | "short-circuit"
+            | "var-stat"
+            | "union"
+            | "assignment-expression" => (Code::SyntaxError, extension),
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
         if !has {
@@ -60,16 +63,16 @@ impl<'s> Parser<'s, '_> {
     fn modifier(&mut self, modifiers: &mut Modifiers) -> bool {
         let span = self.token().span;
         let before = *modifiers;
-        let (is_new, feature) = if let Some(access) = self.access() {
-            (modifiers.access.replace(access).is_none(), "access-specifier")
-        } else if self.at_word("ABSTRACT") {
-            (!std::mem::replace(&mut modifiers.is_abstract, true), "abstract")
-        } else if self.at_word("FINAL") {
-            (!std::mem::replace(&mut modifiers.is_final, true), "final")
-        } else if self.at_word("OVERRIDE") {
-            (!std::mem::replace(&mut modifiers.is_override, true), "override")
-        } else {
-            return false;
+        let flags = [
+            (&mut modifiers.is_abstract, "abstract"),
+            (&mut modifiers.is_final, "final"),
+            (&mut modifiers.is_override, "override"),
+        ];
+        let flag = flags.into_iter().find(|(_, word)| self.at_word(word));
+        let (is_new, feature) = match (self.access(), flag) {
+            (Some(access), _) => (modifiers.access.replace(access).is_none(), "access-specifier"),
+            (None, Some((flag, feature))) => (!std::mem::replace(flag, true), feature),
+            (None, None) => return false,
         };
         let word = self.word();
         self.bump();
@@ -89,7 +92,7 @@ impl<'s> Parser<'s, '_> {
     /// The access specifier that stands here.
     pub(super) fn access(&self) -> Option<Access> {
         let mut all = Access::ALL.into_iter();
-        all.find_map(|(access, word)| self.at_word(word).then_some(access))
+        all.find(|access| self.at_word(access.as_str()))
     }
 
     /// EXTENDS or IMPLEMENTS (`word`) and the names behind it.
@@ -213,7 +216,7 @@ impl<'s> Parser<'s, '_> {
         let body = self.part_body(&mut blocks);
         self.late_sections = late;
         let end = self.token().span;
-        self.close(closer(kind));
+        self.close(kind.closer());
         let has_no_body = modifiers.is_abstract || self.in_interface;
         if let (Some(first), true) = (body.first(), has_no_body) {
             self.report(Code::SyntaxError, first.span, || {
@@ -237,9 +240,7 @@ impl<'s> Parser<'s, '_> {
 
     /// The statements of a part; a section between them, which is wrong there, goes to the others.
     fn part_body(&mut self, blocks: &mut Vec<crate::tree::VariableBlock<'s>>) -> Vec<crate::tree::Statement> {
-        self.blocks.push(OpenBlock::Member);
-        let body = self.statements();
-        self.blocks.pop();
+        let body = self.block(OpenBlock::Member);
         blocks.append(&mut self.late_sections);
         body
     }

@@ -56,19 +56,12 @@ impl<'s> Parser<'s, '_> {
     fn subscripts(&mut self, base: ExpressionId) -> ParseResult<ExpressionId> {
         let mut height = self.height;
         let subscripts = self.nested(|parser| {
-            parser.bump();
-            parser.open += 1;
-            let mut subscripts = Vec::with_capacity(1);
-            loop {
-                subscripts.push(parser.expression()?);
+            let subscript = |parser: &mut Self| {
+                let subscript = parser.expression()?;
                 height = height.max(parser.height);
-                if !parser.eat(TokenKind::Comma) {
-                    break;
-                }
-            }
-            parser.require(TokenKind::RightBracket)?;
-            parser.open -= 1;
-            Ok(subscripts)
+                Ok(subscript)
+            };
+            parser.bracketed(TokenKind::RightBracket, |parser| parser.list(subscript))
         })?;
         self.height = height;
         self.grow(0)?;
@@ -80,19 +73,15 @@ impl<'s> Parser<'s, '_> {
     fn call(&mut self, callee: ExpressionId) -> ParseResult<ExpressionId> {
         let mut height = self.height;
         let arguments = self.nested(|parser| {
-            parser.bump();
-            parser.open += 1;
-            let mut arguments = Vec::new();
-            while arguments.is_empty() || parser.eat(TokenKind::Comma) {
-                if arguments.is_empty() && parser.kind() == TokenKind::RightParen {
-                    break;
-                }
-                arguments.push(parser.argument()?);
+            let argument = |parser: &mut Self| {
+                let argument = parser.argument()?;
                 height = height.max(parser.height);
-            }
-            parser.require(TokenKind::RightParen)?;
-            parser.open -= 1;
-            Ok(arguments)
+                Ok(argument)
+            };
+            parser.bracketed(TokenKind::RightParen, |parser| match parser.kind() {
+                TokenKind::RightParen => Ok(Vec::new()),
+                _ => parser.list(argument),
+            })
         })?;
         self.height = height;
         self.grow(0)?;

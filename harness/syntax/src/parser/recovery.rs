@@ -25,7 +25,7 @@ impl Parser<'_, '_> {
                     return;
                 }
                 TokenKind::Name if self.is_anew() && begins(self.nth(1)) => return,
-                TokenKind::Name if self.at_misspelt_end() => return,
+                TokenKind::Name if self.at_misspelt_end() || self.at_word("END_UNION") => return,
                 TokenKind::LeftParen | TokenKind::LeftBracket => self.open += 1,
                 TokenKind::RightParen | TokenKind::RightBracket => self.open = self.open.saturating_sub(1),
                 kind if kind.ends_statements() || kind.opens_section() || kind.opens_block() => return,
@@ -172,17 +172,6 @@ impl Parser<'_, '_> {
     pub(super) fn skip_body(&mut self) {
         while self.kind() != TokenKind::End && !self.kind().closes_pou() && !self.kind().opens_declaration() {
             self.bump();
-        }
-    }
-
-    /// Moves behind the next name `closer`, or to a keyword that it cannot stand behind.
-    pub(super) fn skip_past_word(&mut self, closer: &str) {
-        while self.kind() != TokenKind::End && !self.kind().closes_pou() {
-            let found = self.at_word(closer);
-            self.bump();
-            if found {
-                return;
-            }
         }
     }
 

@@ -60,7 +60,7 @@ impl<'s> Parser<'s, '_> {
         }
         match self.statement_kind() {
             Ok(kind) => {
-                let is_block = is_block(&kind);
+                let is_block = kind.is_block();
                 let span = first.to(self.previous_span());
                 let end = match is_block && self.dialect.ends_without_semicolon {
                     true => {
@@ -120,8 +120,7 @@ impl<'s> Parser<'s, '_> {
                 return Err(self.expected("`;` (a call cannot be assigned to)"));
             }
             self.bump();
-            let value = self.expression()?;
-            self.unsupported_chain()?;
+            let value = self.assigned_value()?;
             return Ok(StatementKind::Assignment { target, value });
         }
         if self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF") {
@@ -153,13 +152,4 @@ impl<'s> Parser<'s, '_> {
         let expression = self.expressions.get(id.0 as usize);
         expression.is_some_and(|expression| matches!(expression.kind, ExpressionKind::Call { .. }))
     }
-}
-
-/// The statement has an END_… of its own, so that what follows it does not make it doubtful.
-fn is_block(kind: &StatementKind) -> bool {
-    use StatementKind::{Case, For, If, Repeat, While};
-    matches!(
-        kind,
-        If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
-    )
 }

@@ -11,7 +11,9 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn type_specification(&mut self) -> ParseResult<TypeSpecification<'s>> {
         let start = self.token().span;
         let kind = self.nested(|parser| match parser.kind() {
-            TokenKind::Name if parser.unsupported_union() => Ok(Kind::Error),
+            TokenKind::Name if parser.nth(1) == TokenKind::Name && parser.at_word("UNION") => {
+                parser.union_type()
+            }
             TokenKind::Name => parser.named_type(),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
@@ -52,11 +54,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `STRING[n]`; `closer` closes what stands behind the name.
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let length = self.expression()?;
-        self.require(closer)?;
-        self.open -= 1;
+        let length = self.bracketed(closer, Self::expression)?;
         Ok(Kind::Text { name, length })
     }
 
@@ -68,11 +66,7 @@ impl<'s> Parser<'s, '_> {
 
     /// `INT(low..high)`.
     fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let limits = self.limits()?;
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
         Ok(Kind::Subrange { base, limits })
     }
 
@@ -85,33 +79,26 @@ impl<'s> Parser<'s, '_> {
 
     /// `(RED, GREEN := 5)`.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
-        self.bump();
-        self.open += 1;
-        let mut values = Vec::new();
-        loop {
-            let name = self.declared_name("the name of an enumerated value")?;
-            let has_value = self.eat(TokenKind::Assign);
-            let value = has_value.then(|| self.expression()).transpose()?;
-            values.push((name, value));
-            if !self.eat(TokenKind::Comma) {
-                break;
-            }
-        }
-        self.require(TokenKind::RightParen)?;
-        self.open -= 1;
+        let value = |parser: &mut Self| {
+            let name = parser.declared_name("the name of an enumerated value")?;
+            Ok((name, parser.optional(TokenKind::Assign, Self::expression)?))
+        };
+        let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         Ok(Kind::Enumeration { base, values })
     }
 
-    /// `ARRAY[low..high, …] OF element`.
+    /// `ARRAY[low..high, …] OF element` or `ARRAY[*, …] OF element`.
     fn array_type(&mut self) -> ParseResult<Kind<'s>> {
         let start = self.bump().span;
         self.require(TokenKind::LeftBracket)?;
         self.open += 1;
         let mut dimensions = Vec::with_capacity(1);
-        let mut variable_length = None;
+        let mut stars = 0;
         loop {
-            if self.kind() == TokenKind::Star {
-                variable_length = Some(self.bump().span);
+            if dimensions.is_empty() && self.eat(TokenKind::Star) {
+                stars += 1;
+            } else if stars > 0 {
+                return Err(self.expected("`*`, as for the other dimensions"));
             } else {
                 dimensions.push(self.limits()?);
             }
@@ -121,13 +108,19 @@ impl<'s> Parser<'s, '_> {
         }
         self.require(TokenKind::RightBracket)?;
         self.open -= 1;
+        let has = stars == 0
+            || self.has(
+                "variable-length-array",
+                start.to(self.previous_span()),
+                "ARRAY[*]",
+            );
         self.require(TokenKind::Of)?;
         let element = Box::new(self.type_specification()?);
-        if let Some(star) = variable_length {
-            self.unsupported(start.to(star), "arrays of variable length (`ARRAY[*]`)");
-            return Ok(Kind::Error);
-        }
-        Ok(Kind::Array { dimensions, element })
+        Ok(match stars {
+            _ if !has => Kind::Error,
+            0 => Kind::Array { dimensions, element },
+            dimensions => Kind::VariableLengthArray { dimensions, element },
+        })
     }
 
     /// Returns the form of the reference or pointer type that begins here; `None` where the word is a name like others.
@@ -138,7 +131,7 @@ impl<'s> Parser<'s, '_> {
             _ => (1, &[PointerForm::RefTo]),
         };
         let begins_type = matches!(self.nth(behind), Name | Array | LeftParen | Struct);
-        let word = |form: &PointerForm| form.words().split(' ').next().unwrap_or_default();
+        let word = |form: &PointerForm| form.as_str().split(' ').next().unwrap_or_default();
         let mut forms = forms.iter().copied();
         forms.find(|form| begins_type && self.at_word(word(form)))
     }
@@ -148,7 +141,7 @@ impl<'s> Parser<'s, '_> {
         let start = self.bump().span;
         self.eat(TokenKind::To);
         let span = start.to(self.previous_span());
-        let has = self.has(form.feature(), span, form.words());
+        let has = self.has(form.feature(), span, form.as_str());
         let target = Box::new(self.type_specification()?);
         Ok(match has {
             true => Kind::Pointer { form, target },
@@ -163,19 +156,25 @@ impl<'s> Parser<'s, '_> {
         let open = std::mem::take(&mut self.open);
         let fields = self.variable_groups(TokenKind::EndStruct);
         self.open = open;
-        Ok(if overlap {
-            Kind::Error
-        } else {
-            Kind::Structure(fields)
+        Ok(match overlap {
+            true => Kind::Error,
+            false => Kind::Structure(fields),
         })
+    }
+
+    /// `UNION … END_UNION`, an extension of CODESYS and others.
+    fn union_type(&mut self) -> ParseResult<Kind<'s>> {
+        let word = self.bump().span;
+        let has = self.has("union", word, "UNION");
+        let open = std::mem::take(&mut self.open);
+        let fields = self.variable_groups(TokenKind::Name);
+        self.open = open;
+        Ok(if has { Kind::Union(fields) } else { Kind::Error })
     }
 
     /// `.name.name` behind the name of a namespace.
     pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
+        self.skip_qualified_name();
         let span = start.to(self.previous_span());
         let text = span.text(self.text);
         let is_joined = text

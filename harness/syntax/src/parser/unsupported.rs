@@ -55,15 +55,16 @@ impl<'s> Parser<'s, '_> {
         }
         let using = self.at_word("USING");
         self.bump();
-        self.qualified_name();
+        self.bump();
+        self.skip_qualified_name();
         if using {
             self.eat(TokenKind::Semicolon);
         }
         self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
     }
 
-    fn qualified_name(&mut self) {
-        self.bump();
+    /// Moves over `.name.name` behind the name of a namespace.
+    pub(super) fn skip_qualified_name(&mut self) {
         while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
             self.bump();
             self.bump();
@@ -97,24 +98,10 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// R_EDGE or F_EDGE behind the type of an input.
-    pub(super) fn unsupported_edge(&mut self) {
-        self.unsupported_word(&["R_EDGE", "F_EDGE"], "edge qualifiers (R_EDGE, F_EDGE)");
-    }
-
     /// OVERLAP behind STRUCT.
     pub(super) fn unsupported_overlap(&mut self) -> bool {
         !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma)
             && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
-    }
-
-    /// `UNION … END_UNION`; says whether there was one.
-    pub(super) fn unsupported_union(&mut self) -> bool {
-        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&["UNION"], "unions (UNION)");
-        if found {
-            self.skip_past_word("END_UNION");
-        }
-        found
     }
 
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
@@ -176,24 +163,6 @@ impl<'s> Parser<'s, '_> {
             _ => return Ok(()),
         };
         self.unsupported(start.to(self.token().span), features);
-        Err(Broken)
-    }
-
-    /// `:=` behind the value of an assignment, on the same line.
-    pub(super) fn unsupported_chain(&mut self) -> ParseResult<()> {
-        if self.kind() != TokenKind::Assign || self.previous_kind() != Some(TokenKind::Name) {
-            return Ok(());
-        }
-        self.back();
-        let begins_line = self.starts_line();
-        let start = self.bump().span;
-        if begins_line {
-            return Ok(());
-        }
-        self.unsupported(
-            start.to(self.token().span),
-            "assignments as expressions (`a := b := c`)",
-        );
         Err(Broken)
     }
 

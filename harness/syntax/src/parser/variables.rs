@@ -5,7 +5,7 @@ use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{
-    Access, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Access, Edge, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
     VariableKind,
 };
 use stickler_types::Code;
@@ -14,7 +14,7 @@ impl<'s> Parser<'s, '_> {
     /// VAR… to END_VAR; `None` for a section that is not implemented.
     pub(super) fn variable_block(&mut self) -> Option<VariableBlock<'s>> {
         let misspelt = self.misspelt_section();
-        let Some(kind) = misspelt.or_else(|| variable_kind(self.kind())) else {
+        let Some(kind) = misspelt.or_else(|| self.section()) else {
             self.unsupported_section();
             return None;
         };
@@ -52,6 +52,13 @@ impl<'s> Parser<'s, '_> {
             groups,
             span: start.to(self.previous_span()),
         })
+    }
+
+    /// The section that the next token opens; `None` for one that is not implemented.
+    fn section(&self) -> Option<VariableKind> {
+        let kind = self.kind();
+        let opens = kind.opens_section();
+        opens.then(|| VariableKind::from_word(kind.text())).flatten()
     }
 
     /// CONSTANT, RETAIN, NON_RETAIN and PERSISTENT, in any order.
@@ -95,12 +102,12 @@ impl<'s> Parser<'s, '_> {
         matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma | TokenKind::At)
     }
 
-    /// Groups up to END_VAR or END_STRUCT.
+    /// Groups up to END_VAR, END_STRUCT or END_UNION, which is a name to the lexer.
     pub(super) fn variable_groups(&mut self, closer: TokenKind) -> Vec<VariableGroup<'s>> {
         let mut groups = Vec::new();
         loop {
             match self.kind() {
-                kind if kind == closer => {
+                kind if kind == closer && (kind != TokenKind::Name || self.at_word("END_UNION")) => {
                     self.bump();
                     return groups;
                 }
@@ -120,10 +127,10 @@ impl<'s> Parser<'s, '_> {
                     self.skip_declaration();
                 }
                 kind if self.ends_groups(kind) => {
-                    self.expected(if closer == TokenKind::EndVar {
-                        "`END_VAR`"
-                    } else {
-                        "`END_STRUCT`"
+                    self.expected(match closer {
+                        TokenKind::EndVar => "`END_VAR`",
+                        TokenKind::EndStruct => "`END_STRUCT`",
+                        _ => "`END_UNION`",
                     });
                     let mistaken = matches!(kind, TokenKind::EndStruct | TokenKind::EndType);
                     if mistaken && closer == TokenKind::EndVar {
@@ -175,15 +182,13 @@ impl<'s> Parser<'s, '_> {
     /// `a, b : TYPE := initializer;`. The names and the location are kept whatever becomes of the rest.
     fn variable_group(&mut self, closer: TokenKind) -> VariableGroup<'s> {
         self.open = 0;
-        let mut group = VariableGroup {
-            names: Vec::with_capacity(1),
-            location: None,
-            specification: error_specification(self.previous_span()),
-            initializer: None,
-        };
+        let mut group = self.empty_group();
         match self.names_and_type(&mut group, closer) {
             Ok(specification) => {
-                self.unsupported_edge();
+                group.edge = Edge::from_word(&self.word().to_ascii_uppercase());
+                if group.edge.is_some() {
+                    self.bump();
+                }
                 group.initializer = self.optional_initializer(&specification);
                 group.specification = specification;
             }
@@ -195,18 +200,24 @@ impl<'s> Parser<'s, '_> {
         group
     }
 
+    /// A group of which nothing has been read yet.
+    fn empty_group(&self) -> VariableGroup<'s> {
+        VariableGroup {
+            names: Vec::with_capacity(1),
+            location: None,
+            specification: error_specification(self.previous_span()),
+            edge: None,
+            initializer: None,
+        }
+    }
+
     /// `(a : INT; b, c : REAL)` behind the name of a POU, which is wrong there, and has been said to be.
     pub(super) fn parameters_in_parentheses(&mut self) -> VariableBlock<'s> {
         let start = self.bump().span;
         let mut groups = Vec::new();
         while self.kind() == TokenKind::Name {
             self.suppress();
-            let mut group = VariableGroup {
-                names: Vec::with_capacity(1),
-                location: None,
-                specification: error_specification(self.previous_span()),
-                initializer: None,
-            };
+            let mut group = self.empty_group();
             let specification = self.names_and_type(&mut group, TokenKind::RightParen);
             let sound = specification.is_ok();
             group.specification = specification.unwrap_or_else(|_| error_specification(self.previous_span()));
@@ -288,23 +299,21 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn optional_initializer(&mut self, of: &TypeSpecification) -> Option<Initializer<'s>> {
         // What an initial value gives to a reference is a variable, so that both signs mean the same.
         let binds = self.kind() == TokenKind::Name && self.nth(1) == TokenKind::Equal && self.at_word("REF");
-        let read = if binds && matches!(of.kind, TypeSpecificationKind::Pointer { .. }) {
+        let binds = binds && matches!(of.kind, TypeSpecificationKind::Pointer { .. });
+        if binds {
             self.bump();
             self.bump();
-            self.initializer().map(Some)
-        } else if self.eat(TokenKind::Assign) {
-            self.initializer().map(Some)
-        } else {
-            Ok(None)
+        }
+        let read = match binds || self.eat(TokenKind::Assign) {
+            true => self.initializer().map(Some),
+            false => Ok(None),
         };
-        let is_structure = matches!(of.kind, TypeSpecificationKind::Structure(_));
+        use TypeSpecificationKind::{Structure, Union};
+        let is_structure = matches!(of.kind, Structure(_) | Union(_));
         if is_structure && self.dialect.ends_without_semicolon && self.kind() == TokenKind::EndType {
             return None;
         }
-        let read = read.and_then(|initializer| match self.semicolon(TokenKind::Colon) {
-            Ok(()) => Ok(initializer),
-            Err(broken) => Err(broken),
-        });
+        let read = read.and_then(|initializer| self.semicolon(TokenKind::Colon).map(|()| initializer));
         let initializer = read.unwrap_or_else(|_| {
             self.skip_declaration();
             None
@@ -326,21 +335,4 @@ fn is_location(text: &str) -> bool {
         && numbers
             .split('.')
             .all(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
-}
-
-/// The section that a keyword opens; `None` for one that is not implemented.
-fn variable_kind(keyword: TokenKind) -> Option<VariableKind> {
-    match keyword {
-        TokenKind::Var => Some(VariableKind::Local),
-        TokenKind::VarTemp => Some(VariableKind::Temporary),
-        TokenKind::VarInst => Some(VariableKind::Instance),
-        TokenKind::VarStat => Some(VariableKind::Static),
-        TokenKind::VarInput => Some(VariableKind::Input),
-        TokenKind::VarOutput => Some(VariableKind::Output),
-        TokenKind::VarInOut => Some(VariableKind::InOut),
-        TokenKind::VarExternal => Some(VariableKind::External),
-        TokenKind::VarGlobal => Some(VariableKind::Global),
-        TokenKind::VarConfig => Some(VariableKind::Configured),
-        _ => None,
-    }
 }

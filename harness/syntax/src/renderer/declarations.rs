@@ -3,9 +3,9 @@
 use super::names::NameShape;
 use super::writer::Writer;
 use crate::tree::{
-    Access, ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Modifiers,
-    Name, Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup, VariableKind,
+    Access, ArrayElement, CaseFolded, Configuration, Declaration, Edge, Initializer, InitializerKind, Name,
+    Pou, PouKind, Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup,
 };
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
@@ -28,24 +28,15 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// A POU; `own_access` is the access specifier that is written with it.
     fn pou(&mut self, pou: &'u Pou<'s>, own_access: Option<Access>) {
-        let (opening, closing) = match pou.kind {
-            PouKind::Program => ("PROGRAM ", "END_PROGRAM"),
-            PouKind::Function => ("FUNCTION ", "END_FUNCTION"),
-            PouKind::FunctionBlock => ("FUNCTION_BLOCK ", "END_FUNCTION_BLOCK"),
-            PouKind::Class => ("CLASS ", "END_CLASS"),
-            PouKind::Interface => ("INTERFACE ", "END_INTERFACE"),
-            PouKind::Method => ("METHOD ", "END_METHOD"),
-            PouKind::Getter => ("GET", "END_GET"),
-            PouKind::Setter => ("SET", "END_SET"),
-        };
+        let closing = pou.kind.closer().text();
         self.begin();
-        self.put(opening);
-        match (pou.kind, own_access) {
-            (PouKind::Getter | PouKind::Setter, access) => {
-                self.access(" ", access, "");
+        self.put(closing.trim_start_matches("END_"));
+        match pou.kind {
+            PouKind::Getter | PouKind::Setter => {
+                self.access(own_access);
                 self.end();
             }
-            (_, access) => self.head(pou, access),
+            _ => self.head(pou, own_access),
         }
         let around = self.pou.replace(pou.span.start);
         pou.blocks.iter().for_each(|block| self.block_of_variables(block));
@@ -57,21 +48,11 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// The name of a POU with the keywords around it, and its result type.
     fn head(&mut self, pou: &'u Pou<'s>, access: Option<Access>) {
-        let Modifiers {
-            access: _,
-            is_abstract,
-            is_final,
-            is_override,
-        } = pou.modifiers;
-        self.access("", access, " ");
-        for (is_written, word) in [
-            (is_abstract, "ABSTRACT "),
-            (is_final, "FINAL "),
-            (is_override, "OVERRIDE "),
-        ] {
-            self.put(if is_written { word } else { "" });
+        self.access(access);
+        for word in pou.modifiers.words() {
+            self.out.extend([" ", word]);
         }
-        self.put(pou.name.text);
+        self.out.extend([" ", pou.name.text]);
         for (word, names) in [(" EXTENDS ", &pou.extends), (" IMPLEMENTS ", &pou.implements)] {
             self.put(if names.is_empty() { "" } else { word });
             self.list(names, |writer, name| writer.put(writer.names.pou_name(name.text)));
@@ -83,10 +64,10 @@ impl<'u, 's> Writer<'u, 's> {
         self.end();
     }
 
-    fn access(&mut self, before: &str, access: Option<Access>, behind: &str) {
-        let known = Access::ALL.into_iter().find(|(one, _)| Some(*one) == access);
-        if let Some((_, word)) = known {
-            self.out.extend([before, word, behind]);
+    /// An access specifier behind another word.
+    fn access(&mut self, access: Option<Access>) {
+        if let Some(access) = access {
+            self.out.extend([" ", access.as_str()]);
         }
     }
 
@@ -101,7 +82,7 @@ impl<'u, 's> Writer<'u, 's> {
                 let access = parts[0].modifiers.access;
                 let is_shared = parts.iter().all(|part| part.modifiers.access == access);
                 writer.begin();
-                writer.put("PROPERTY ");
+                writer.put("PROPERTY");
                 writer.head(&parts[0], access.filter(|_| is_shared));
                 for part in parts {
                     let access = part.modifiers.access.filter(|_| !is_shared);
@@ -114,19 +95,8 @@ impl<'u, 's> Writer<'u, 's> {
 
     fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
         self.begin();
-        self.put(match block.kind {
-            VariableKind::Local => "VAR",
-            VariableKind::Temporary => "VAR_TEMP",
-            VariableKind::Instance => "VAR_INST",
-            VariableKind::Static => "VAR_STAT",
-            VariableKind::Input => "VAR_INPUT",
-            VariableKind::Output => "VAR_OUTPUT",
-            VariableKind::InOut => "VAR_IN_OUT",
-            VariableKind::External => "VAR_EXTERNAL",
-            VariableKind::Global => "VAR_GLOBAL",
-            VariableKind::Configured => "VAR_CONFIG",
-        });
-        self.access(" ", block.access, "");
+        self.put(block.kind.as_str());
+        self.access(block.access);
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
             self.put(" ");
@@ -146,7 +116,7 @@ impl<'u, 's> Writer<'u, 's> {
                     writer.put(" AT ");
                     writer.capitals(location.text);
                 }
-                writer.declared(&group.specification, group.initializer.as_ref());
+                writer.declared(&group.specification, group.edge, group.initializer.as_ref());
             }
         });
     }
@@ -161,20 +131,24 @@ impl<'u, 's> Writer<'u, 's> {
                     writer.put(" EXTENDS ");
                     writer.type_name(&base);
                 }
-                writer.declared(&declared.specification, declared.initializer.as_ref());
+                writer.declared(&declared.specification, None, declared.initializer.as_ref());
             }
         });
         self.line("END_TYPE");
     }
 
-    /// Writes the type and the initial value behind the name in a declaration.
+    /// Writes the type, the edge qualifier and the initial value behind the name in a declaration.
     fn declared(
         &mut self,
         specification: &'u TypeSpecification<'s>,
+        edge: Option<Edge>,
         initializer: Option<&'u Initializer<'s>>,
     ) {
         self.put(" : ");
         self.specification(specification);
+        if let Some(edge) = edge {
+            self.out.extend([" ", edge.as_str()]);
+        }
         if let Some(initializer) = initializer {
             self.put(" := ");
             self.initializer(initializer, NameShape::Typed(specification));
@@ -206,8 +180,16 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put(" OF ");
                 self.specification(element);
             }
+            TypeSpecificationKind::VariableLengthArray { dimensions, element } => {
+                self.put("ARRAY");
+                self.between_brackets(|writer| {
+                    writer.list(0..*dimensions, |writer, _| writer.put("*"));
+                });
+                self.put(" OF ");
+                self.specification(element);
+            }
             TypeSpecificationKind::Pointer { form, target } => {
-                self.put(form.words());
+                self.put(form.as_str());
                 self.put(" ");
                 self.specification(target);
             }
@@ -226,12 +208,15 @@ impl<'u, 's> Writer<'u, 's> {
                 });
                 self.put(")");
             }
-            TypeSpecificationKind::Structure(fields) => {
-                self.put("STRUCT");
+            TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
+                let is_union = matches!(specification.kind, TypeSpecificationKind::Union(_));
+                let word = ["STRUCT", "UNION"][usize::from(is_union)];
+                self.put(word);
                 self.end();
                 self.groups(fields);
                 self.begin();
-                self.put("END_STRUCT");
+                self.put("END_");
+                self.put(word);
             }
             TypeSpecificationKind::Error => {}
         }
@@ -280,20 +265,19 @@ impl<'u, 's> Writer<'u, 's> {
     }
 
     fn configuration(&mut self, configuration: &'u Configuration<'s>) {
-        self.put("CONFIGURATION ");
-        self.put(configuration.name.text);
+        let Configuration {
+            name,
+            globals,
+            resources,
+            configured,
+            ..
+        } = configuration;
+        self.out.extend(["CONFIGURATION ", name.text]);
         self.end();
         self.indented(|writer| {
-            configuration
-                .globals
-                .iter()
-                .for_each(|block| writer.block_of_variables(block));
-            configuration
-                .resources
-                .iter()
-                .for_each(|resource| writer.resource(resource));
-            configuration
-                .configured
+            globals.iter().for_each(|block| writer.block_of_variables(block));
+            resources.iter().for_each(|resource| writer.resource(resource));
+            configured
                 .iter()
                 .for_each(|block| writer.block_of_variables(block));
         });
@@ -305,10 +289,7 @@ impl<'u, 's> Writer<'u, 's> {
             return self.resource_items(resource);
         };
         self.begin();
-        self.put("RESOURCE ");
-        self.put(name.text);
-        self.put(" ON ");
-        self.put(kind.text);
+        self.out.extend(["RESOURCE ", name.text, " ON ", kind.text]);
         self.end();
         self.indented(|writer| writer.resource_items(resource));
         self.line("END_RESOURCE");
@@ -319,8 +300,7 @@ impl<'u, 's> Writer<'u, 's> {
         let tasks: FxHashMap<_, _> = names.map(|name| (CaseFolded(name), name)).collect();
         for task in &resource.tasks {
             self.begin();
-            self.put("TASK ");
-            self.put(task.name.text);
+            self.out.extend(["TASK ", task.name.text]);
             if !task.properties.is_empty() {
                 self.put("(");
                 self.list(&task.properties, |writer, (name, value)| {
@@ -335,15 +315,13 @@ impl<'u, 's> Writer<'u, 's> {
         }
         for program in &resource.programs {
             self.begin();
-            self.put("PROGRAM ");
-            self.put(program.name.text);
+            self.out.extend(["PROGRAM ", program.name.text]);
             if let Some(task) = &program.task {
-                self.put(" WITH ");
-                self.put(tasks.get(&CaseFolded(task.text)).copied().unwrap_or(task.text));
+                let declared = tasks.get(&CaseFolded(task.text)).copied();
+                self.out.extend([" WITH ", declared.unwrap_or(task.text)]);
             }
-            self.put(" : ");
-            self.put(self.names.pou_name(program.type_name.text));
-            self.put(";");
+            let program = self.names.pou_name(program.type_name.text);
+            self.out.extend([" : ", program, ";"]);
             self.end();
         }
     }

@@ -42,6 +42,11 @@ impl<'u, 's> Writer<'u, 's> {
                 self.put("^");
                 return of;
             }
+            ExpressionKind::Assigned { target, value } => {
+                self.expression(*target);
+                self.put(" := ");
+                self.expression(*value);
+            }
             ExpressionKind::Bit { base, index } => {
                 self.expression(*base);
                 self.put(".");
@@ -118,7 +123,7 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// An operator between spaces, which words need even between brackets.
     fn operator(&mut self, operator: BinaryOperator) {
-        let symbol = operator.symbol();
+        let symbol = operator.as_str();
         if self.dense && !symbol.starts_with(|first: char| first.is_ascii_alphabetic()) {
             return self.put(symbol);
         }

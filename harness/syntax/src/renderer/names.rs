@@ -2,9 +2,10 @@
 //! variables to spell fields too.
 
 use crate::tree::{
-    CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
-    VariableBlock, VariableGroup, own_instance,
+    CaseFolded, Pou, PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    VariableGroup, own_instance,
 };
+use crate::visitor::{Context, Visitor, walk};
 use rustc_hash::FxHashMap;
 
 /// The knowledge of the type of a name or of an expression.
@@ -22,7 +23,7 @@ pub(super) enum NameShape<'u, 's> {
 /// A declaration: its spelling, and what is declared.
 type NameEntry<'u, 's> = (&'s str, NameShape<'u, 's>);
 
-/// Where a name is looked for that the POU or structure at a place does not declare.
+/// The declarations that are searched for a name which a POU or structure does not declare itself.
 #[derive(Clone, Copy)]
 struct Outer<'u, 's> {
     /// The POU around a method; any other POU itself.
@@ -47,51 +48,59 @@ pub(super) struct Names<'u, 's> {
     outer: FxHashMap<u32, Outer<'u, 's>>,
 }
 
+impl<'u, 's: 'u> Visitor<'u, 's> for Names<'u, 's> {
+    fn pou(&mut self, pou: &'u Pou<'s>, _: &Context<'u, 's>) {
+        if !pou.kind.is_member() {
+            self.pous
+                .insert(CaseFolded(pou.name.text), (pou.name.text, NameShape::Pou(pou)));
+            self.declare_in(pou, pou);
+        }
+    }
+
+    fn type_declaration(&mut self, declared: &'u TypeDeclaration<'s>, _: &Context<'u, 's>) {
+        let name = declared.name.text;
+        let shape = NameShape::Typed(&declared.specification);
+        self.types.insert(CaseFolded(name), (name, shape));
+        if let Some(base) = declared.extends {
+            let base = Some(base.text);
+            let place = declared.specification.span.start;
+            self.outer.insert(place, Outer { owner: None, base });
+        }
+    }
+
+    fn variables(&mut self, group: &'u VariableGroup<'s>, at: &Context<'u, 's>) {
+        // A field lies in the structure around it, a variable in its POU; global variables have none.
+        let around = match at.is_field() {
+            true => at.outer,
+            false => at.pou.map(|pou| pou.span),
+        };
+        for name in &group.names {
+            let (key, entry) = (CaseFolded(name.text), NameShape::Typed(&group.specification));
+            match around {
+                Some(around) => self.members.insert((around.start, key), (name.text, entry)),
+                None => self.globals.insert(key, (name.text, entry)),
+            };
+        }
+    }
+
+    fn specification(&mut self, specification: &'u TypeSpecification<'s>, _: &Context<'u, 's>) {
+        if let TypeSpecificationKind::Enumeration { values, .. } = &specification.kind {
+            self.values
+                .extend(values.iter().map(|(name, _)| (CaseFolded(name.text), name.text)));
+        }
+    }
+}
+
 impl<'u, 's> Names<'u, 's> {
     pub(super) fn new(unit: &'u SourceUnit<'s>) -> Names<'u, 's> {
         let mut names = Names::default();
-        for declaration in &unit.declarations {
-            match declaration {
-                Declaration::Pou(pou) => names.declare_pou(pou),
-                Declaration::Types(types) => {
-                    for declared in types {
-                        let name = declared.name.text;
-                        names.types.insert(
-                            CaseFolded(name),
-                            (name, NameShape::Typed(&declared.specification)),
-                        );
-                        names.declare_parts(&declared.specification);
-                        if let Some(base) = declared.extends {
-                            let base = Some(base.text);
-                            let place = declared.specification.span.start;
-                            names.outer.insert(place, Outer { owner: None, base });
-                        }
-                    }
-                }
-                Declaration::Globals(block) => names.declare_globals(block),
-                Declaration::Configuration(configuration) => {
-                    configuration
-                        .globals
-                        .iter()
-                        .for_each(|block| names.declare_globals(block));
-                }
-            }
-        }
+        walk(unit, &mut names);
         names
     }
 
-    fn declare_pou(&mut self, pou: &'u Pou<'s>) {
-        self.pous
-            .insert(CaseFolded(pou.name.text), (pou.name.text, NameShape::Pou(pou)));
-        self.declare_in(pou, pou);
-    }
-
-    /// Declares the variables, methods and properties of a POU; `owner` is the one that it is a member of, or itself.
+    /// Declares the methods and properties of a POU; `owner` is the one that it is a member of, or itself.
     fn declare_in(&mut self, pou: &'u Pou<'s>, owner: &'u Pou<'s>) {
         let place = pou.span.start;
-        pou.blocks
-            .iter()
-            .for_each(|block| self.declare_members(place, &block.groups));
         let outer = Outer {
             owner: Some(owner),
             base: pou.extends.first().map(|base| base.text),
@@ -125,11 +134,14 @@ impl<'u, 's> Names<'u, 's> {
         None
     }
 
-    /// What the name of a type or POU declares.
-    fn shape_of(&self, name: &'s str) -> Option<NameShape<'u, 's>> {
+    /// The declaration of a type or POU.
+    fn declared(&self, name: &'s str) -> Option<&NameEntry<'u, 's>> {
         let key = CaseFolded(name);
-        let found = self.types.get(&key).or_else(|| self.pous.get(&key));
-        found.map(|(_, shape)| *shape)
+        self.types.get(&key).or_else(|| self.pous.get(&key))
+    }
+
+    fn shape_of(&self, name: &'s str) -> Option<NameShape<'u, 's>> {
+        self.declared(name).map(|(_, shape)| *shape)
     }
 
     /// The place by which the members of something of this shape are found.
@@ -138,48 +150,6 @@ impl<'u, 's> Names<'u, 's> {
             NameShape::Unknown => None,
             NameShape::Typed(specification) => Some(specification.span.start),
             NameShape::Pou(pou) => Some(pou.span.start),
-        }
-    }
-
-    fn declare_globals(&mut self, block: &'u VariableBlock<'s>) {
-        for group in &block.groups {
-            self.declare_parts(&group.specification);
-            let shape = NameShape::Typed(&group.specification);
-            self.globals.extend(
-                group
-                    .names
-                    .iter()
-                    .map(|name| (CaseFolded(name.text), (name.text, shape))),
-            );
-        }
-    }
-
-    fn declare_members(&mut self, place: u32, groups: &'u [VariableGroup<'s>]) {
-        for group in groups {
-            self.declare_parts(&group.specification);
-            let shape = NameShape::Typed(&group.specification);
-            self.members.extend(
-                group
-                    .names
-                    .iter()
-                    .map(|name| ((place, CaseFolded(name.text)), (name.text, shape))),
-            );
-        }
-    }
-
-    /// The enumerated values and the fields that a type written out in a declaration declares.
-    fn declare_parts(&mut self, specification: &'u TypeSpecification<'s>) {
-        match &specification.kind {
-            TypeSpecificationKind::Enumeration { values, .. } => {
-                self.values
-                    .extend(values.iter().map(|(name, _)| (CaseFolded(name.text), name.text)));
-            }
-            TypeSpecificationKind::Structure(fields) => {
-                self.declare_members(specification.span.start, fields)
-            }
-            TypeSpecificationKind::Array { element, .. } => self.declare_parts(element),
-            TypeSpecificationKind::Pointer { target, .. } => self.declare_parts(target),
-            _ => {}
         }
     }
 
@@ -215,7 +185,9 @@ impl<'u, 's> Names<'u, 's> {
     pub(super) fn element(&self, of: NameShape<'u, 's>) -> NameShape<'u, 's> {
         match self.resolve(of) {
             NameShape::Typed(TypeSpecification {
-                kind: TypeSpecificationKind::Array { element, .. },
+                kind:
+                    TypeSpecificationKind::Array { element, .. }
+                    | TypeSpecificationKind::VariableLengthArray { element, .. },
                 ..
             }) => NameShape::Typed(element),
             _ => NameShape::Unknown,
@@ -234,11 +206,7 @@ impl<'u, 's> Names<'u, 's> {
 
     /// The spelling of a type's name, if the text declares it.
     pub(super) fn type_name(&self, name: &'s str) -> Option<&'s str> {
-        let found = self
-            .types
-            .get(&CaseFolded(name))
-            .or_else(|| self.pous.get(&CaseFolded(name)));
-        found.map(|(spelling, _)| *spelling)
+        self.declared(name).map(|(spelling, _)| *spelling)
     }
 
     /// The spelling of an enumerated value.

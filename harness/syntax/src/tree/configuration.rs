@@ -21,7 +21,7 @@ pub struct Configuration<'s> {
 }
 
 /// RESOURCE … END_RESOURCE.
-#[derive(PartialEq, Debug)]
+#[derive(PartialEq, Default, Debug)]
 pub struct Resource<'s> {
     /// Name and the type behind ON; `None` for a configuration without resources.
     pub header: Option<(Name<'s>, Name<'s>)>,

@@ -2,6 +2,8 @@
 
 use super::{Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
+use crate::token::TokenKind;
+use stickler_types::words;
 
 /// A declaration at the top level of a source text.
 #[derive(PartialEq, Debug)]
@@ -43,29 +45,35 @@ impl PouKind {
     pub const fn is_member(self) -> bool {
         matches!(self, PouKind::Method | PouKind::Getter | PouKind::Setter)
     }
+
+    /// Returns the keyword that closes the POU: END_ and the word that opens it.
+    #[must_use]
+    pub const fn closer(self) -> TokenKind {
+        match self {
+            PouKind::Program => TokenKind::EndProgram,
+            PouKind::Function => TokenKind::EndFunction,
+            PouKind::FunctionBlock => TokenKind::EndFunctionBlock,
+            PouKind::Class => TokenKind::EndClass,
+            PouKind::Interface => TokenKind::EndInterface,
+            PouKind::Method => TokenKind::EndMethod,
+            PouKind::Getter => TokenKind::EndGet,
+            PouKind::Setter => TokenKind::EndSet,
+        }
+    }
 }
 
-/// An access specifier.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Access {
-    /// PUBLIC.
-    Public,
-    /// PRIVATE.
-    Private,
-    /// PROTECTED.
-    Protected,
-    /// INTERNAL.
-    Internal,
-}
-
-impl Access {
-    /// The access specifiers and their keywords.
-    pub const ALL: [(Access, &'static str); 4] = [
-        (Access::Public, "PUBLIC"),
-        (Access::Private, "PRIVATE"),
-        (Access::Protected, "PROTECTED"),
-        (Access::Internal, "INTERNAL"),
-    ];
+words! {
+    /// An access specifier.
+    Access {
+        /// PUBLIC.
+        Public = "PUBLIC",
+        /// PRIVATE.
+        Private = "PRIVATE",
+        /// PROTECTED.
+        Protected = "PROTECTED",
+        /// INTERNAL.
+        Internal = "INTERNAL",
+    }
 }
 
 /// The keywords before the name of a POU.
@@ -79,6 +87,25 @@ pub struct Modifiers {
     pub is_final: bool,
     /// OVERRIDE.
     pub is_override: bool,
+}
+
+impl Modifiers {
+    /// Returns the keywords behind the access specifier.
+    pub fn words(self) -> impl Iterator<Item = &'static str> {
+        let Modifiers {
+            access: _,
+            is_abstract,
+            is_final,
+            is_override,
+        } = self;
+        let all = [
+            (is_abstract, "ABSTRACT"),
+            (is_final, "FINAL"),
+            (is_override, "OVERRIDE"),
+        ];
+        all.into_iter()
+            .filter_map(|(is_there, word)| is_there.then_some(word))
+    }
 }
 
 /// A program organization unit.
@@ -120,29 +147,38 @@ impl Pou<'_> {
     }
 }
 
-/// The section that a variable is declared in.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum VariableKind {
-    /// VAR.
-    Local,
-    /// VAR_TEMP.
-    Temporary,
-    /// VAR_INST, of a method.
-    Instance,
-    /// VAR_STAT: one variable for all instances and calls.
-    Static,
-    /// VAR_INPUT.
-    Input,
-    /// VAR_OUTPUT.
-    Output,
-    /// VAR_IN_OUT.
-    InOut,
-    /// VAR_EXTERNAL.
-    External,
-    /// VAR_GLOBAL.
-    Global,
-    /// VAR_CONFIG.
-    Configured,
+words! {
+    /// The section that a variable is declared in.
+    VariableKind {
+        /// VAR.
+        Local = "VAR",
+        /// VAR_TEMP.
+        Temporary = "VAR_TEMP",
+        /// VAR_INST, of a method.
+        Instance = "VAR_INST",
+        /// VAR_STAT: one variable for all instances and calls.
+        Static = "VAR_STAT",
+        /// VAR_INPUT.
+        Input = "VAR_INPUT",
+        /// VAR_OUTPUT.
+        Output = "VAR_OUTPUT",
+        /// VAR_IN_OUT.
+        InOut = "VAR_IN_OUT",
+        /// VAR_EXTERNAL.
+        External = "VAR_EXTERNAL",
+        /// VAR_GLOBAL.
+        Global = "VAR_GLOBAL",
+        /// VAR_CONFIG.
+        Configured = "VAR_CONFIG",
+    }
+}
+
+impl VariableKind {
+    /// Returns whether the variables of the section hold values of their own, and do not stand for others.
+    #[must_use]
+    pub const fn is_held(self) -> bool {
+        !matches!(self, VariableKind::InOut | VariableKind::External)
+    }
 }
 
 /// One variable section, VAR … END_VAR.
@@ -171,8 +207,20 @@ pub struct VariableGroup<'s> {
     pub location: Option<Name<'s>>,
     /// Their common type.
     pub specification: TypeSpecification<'s>,
+    /// The edge of the input that the block sees in its place.
+    pub edge: Option<Edge>,
     /// Their common initial value.
     pub initializer: Option<Initializer<'s>>,
+}
+
+words! {
+    /// The edge qualifier of an input.
+    Edge {
+        /// R_EDGE: TRUE in the call in which the input becomes TRUE.
+        Rising = "R_EDGE",
+        /// F_EDGE: TRUE in the call in which the input becomes FALSE.
+        Falling = "F_EDGE",
+    }
 }
 
 impl VariableGroup<'_> {
@@ -231,6 +279,13 @@ pub enum TypeSpecificationKind<'s> {
         /// The elements' type.
         element: Box<TypeSpecification<'s>>,
     },
+    /// `ARRAY[*, …] OF element`: a parameter that takes arrays of any limits.
+    VariableLengthArray {
+        /// The number of dimensions.
+        dimensions: u32,
+        /// The elements' type.
+        element: Box<TypeSpecification<'s>>,
+    },
     /// `REF_TO target`, `POINTER TO target` or `REFERENCE TO target`.
     Pointer {
         /// The words in front of the type.
@@ -247,33 +302,26 @@ pub enum TypeSpecificationKind<'s> {
     },
     /// `STRUCT … END_STRUCT`.
     Structure(Vec<VariableGroup<'s>>),
+    /// `UNION … END_UNION`.
+    Union(Vec<VariableGroup<'s>>),
     /// A type that could not be read, or that names something that is not implemented; a diagnostic has been
     /// given, and nothing more is said about what is declared with it.
     Error,
 }
 
-/// The words that make a type one of references or pointers.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum PointerForm {
-    /// `REF_TO`: the standard's references, followed by `^`.
-    RefTo,
-    /// `POINTER TO`: an address, followed by `^`.
-    PointerTo,
-    /// `REFERENCE TO`: another name of the variable to which `REF=` binds it.
-    ReferenceTo,
+words! {
+    /// The words that make a type one of references or pointers.
+    PointerForm {
+        /// `REF_TO`: the standard's references, followed by `^`.
+        RefTo = "REF_TO",
+        /// `POINTER TO`: an address, followed by `^`.
+        PointerTo = "POINTER TO",
+        /// `REFERENCE TO`: another name of the variable to which `REF=` binds it.
+        ReferenceTo = "REFERENCE TO",
+    }
 }
 
 impl PointerForm {
-    /// Returns the words as they are written.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            PointerForm::RefTo => "REF_TO",
-            PointerForm::PointerTo => "POINTER TO",
-            PointerForm::ReferenceTo => "REFERENCE TO",
-        }
-    }
-
     /// Returns the key of the feature in `conformance-cases/features.toml`.
     #[must_use]
     pub const fn feature(self) -> &'static str {

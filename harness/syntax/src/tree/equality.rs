@@ -32,32 +32,27 @@ impl PartialEq for Literal<'_> {
     }
 }
 
-impl PartialEq for Expression<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let Expression { kind, span: _ } = self;
-        *kind == other.kind
-    }
+/// Compares nodes by all their fields but those behind `without`.
+macro_rules! compare {
+    ($($node:ident $(<$lifetime:lifetime>)? { $($field:ident),* } without $($place:ident),*;)*) => {$(
+        impl PartialEq for $node $(<$lifetime>)? {
+            fn eq(&self, other: &Self) -> bool {
+                let $node { $($field,)* $($place: _),* } = self;
+                $(*$field == other.$field)&&*
+            }
+        }
+    )*};
 }
 
-impl PartialEq for Statement {
-    fn eq(&self, other: &Self) -> bool {
-        let Statement { kind, span: _ } = self;
-        *kind == other.kind
-    }
-}
-
-impl PartialEq for TypeSpecification<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let TypeSpecification { kind, span: _ } = self;
-        *kind == other.kind
-    }
-}
-
-impl PartialEq for Initializer<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let Initializer { kind, span: _ } = self;
-        *kind == other.kind
-    }
+compare! {
+    Expression<'_> { kind } without span;
+    Statement { kind } without span;
+    TypeSpecification<'_> { kind } without span;
+    Initializer<'_> { kind } without span;
+    Configuration<'_> { name, globals, resources, configured } without span;
+    Pou<'_> {
+        kind, modifiers, name, extends, implements, result, blocks, body, members
+    } without span, end;
 }
 
 impl PartialEq for VariableBlock<'_> {
@@ -78,46 +73,5 @@ impl PartialEq for VariableBlock<'_> {
                 other.retention.map(CaseFolded),
             )
             && *groups == other.groups
-    }
-}
-
-impl PartialEq for Pou<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let Pou {
-            kind,
-            modifiers,
-            name,
-            extends,
-            implements,
-            result,
-            blocks,
-            body,
-            members,
-            span: _,
-            end: _,
-        } = self;
-        (kind, modifiers, name, extends, implements)
-            == (
-                &other.kind,
-                &other.modifiers,
-                &other.name,
-                &other.extends,
-                &other.implements,
-            )
-            && (result, blocks, body, members) == (&other.result, &other.blocks, &other.body, &other.members)
-    }
-}
-
-impl PartialEq for Configuration<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let Configuration {
-            name,
-            globals,
-            configured,
-            resources,
-            span: _,
-        } = self;
-        (name, globals, resources, configured)
-            == (&other.name, &other.globals, &other.resources, &other.configured)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{ExpressionId, Literal, Name, Prefixed};
 use crate::source::Span;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, words};
 
 /// An expression. Equality ignores the span: see `equality.rs`.
 #[derive(Debug)]
@@ -11,6 +11,21 @@ pub struct Expression<'s> {
     pub kind: ExpressionKind<'s>,
     /// From its first token to its last.
     pub span: Span,
+}
+
+impl Expression<'_> {
+    /// Returns the operator and both operands of an infix operator; `None` for any other expression.
+    #[must_use]
+    pub const fn binary(&self) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
+        match self.kind {
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => Some((operator, left, right)),
+            _ => None,
+        }
+    }
 }
 
 /// The forms of an expression.
@@ -80,6 +95,13 @@ pub enum ExpressionKind<'s> {
         /// The right operand.
         right: ExpressionId,
     },
+    /// `target := value` as a value: in parentheses, and behind `:=`.
+    Assigned {
+        /// The variable written, whose value the expression has then.
+        target: ExpressionId,
+        /// The value.
+        value: ExpressionId,
+    },
     /// `(inner)`.
     Parenthesized(ExpressionId),
     /// An expression that could not be read; a diagnostic has been given, and nothing more is said about it.
@@ -120,81 +142,53 @@ pub enum UnaryOperator {
     Not,
 }
 
-/// Infix operators, loosest first, as in Table 71 of IEC 61131-3, third edition; those of equal precedence stand together.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum BinaryOperator {
-    /// `OR`.
-    Or,
-    /// `OR_ELSE`.
-    OrElse,
-    /// `XOR`.
-    Xor,
-    /// `AND`, `&`.
-    And,
-    /// `AND_THEN`.
-    AndThen,
-    /// `=`.
-    Equal,
-    /// `<>`.
-    NotEqual,
-    /// `<`.
-    Less,
-    /// `>`.
-    Greater,
-    /// `<=`.
-    LessOrEqual,
-    /// `>=`.
-    GreaterOrEqual,
-    /// `+`.
-    Add,
-    /// `-`.
-    Subtract,
-    /// `*`.
-    Multiply,
-    /// `/`.
-    Divide,
-    /// `MOD`.
-    Modulo,
-    /// `**`.
-    Power,
+words! {
+    /// Infix operators, loosest first, as in Table 71 of IEC 61131-3, third edition; those of equal precedence stand together.
+    BinaryOperator {
+        /// `OR`.
+        Or = "OR",
+        /// `OR_ELSE`.
+        OrElse = "OR_ELSE",
+        /// `XOR`.
+        Xor = "XOR",
+        /// `AND`, `&`.
+        And = "AND",
+        /// `AND_THEN`.
+        AndThen = "AND_THEN",
+        /// `=`.
+        Equal = "=",
+        /// `<>`.
+        NotEqual = "<>",
+        /// `<`.
+        Less = "<",
+        /// `>`.
+        Greater = ">",
+        /// `<=`.
+        LessOrEqual = "<=",
+        /// `>=`.
+        GreaterOrEqual = ">=",
+        /// `+`.
+        Add = "+",
+        /// `-`.
+        Subtract = "-",
+        /// `*`.
+        Multiply = "*",
+        /// `/`.
+        Divide = "/",
+        /// `MOD`.
+        Modulo = "MOD",
+        /// `**`.
+        Power = "**",
+    }
 }
 
 impl BinaryOperator {
-    /// The operator as the renderer and messages write it.
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            BinaryOperator::Or => "OR",
-            BinaryOperator::OrElse => "OR_ELSE",
-            BinaryOperator::Xor => "XOR",
-            BinaryOperator::And => "AND",
-            BinaryOperator::AndThen => "AND_THEN",
-            BinaryOperator::Equal => "=",
-            BinaryOperator::NotEqual => "<>",
-            BinaryOperator::Less => "<",
-            BinaryOperator::Greater => ">",
-            BinaryOperator::LessOrEqual => "<=",
-            BinaryOperator::GreaterOrEqual => ">=",
-            BinaryOperator::Add => "+",
-            BinaryOperator::Subtract => "-",
-            BinaryOperator::Multiply => "*",
-            BinaryOperator::Divide => "/",
-            BinaryOperator::Modulo => "MOD",
-            BinaryOperator::Power => "**",
-        }
-    }
-
     /// The name of the standard function that computes the same, as in `ADD(a, b)`.
     ///
     /// Basis: iec-61131-3: Tables 29, 31 and 33.
     #[must_use]
     pub const fn function_name(self) -> &'static str {
         match self {
-            BinaryOperator::Or => "OR",
-            BinaryOperator::OrElse => "OR_ELSE",
-            BinaryOperator::Xor => "XOR",
-            BinaryOperator::And => "AND",
-            BinaryOperator::AndThen => "AND_THEN",
             BinaryOperator::Equal => "EQ",
             BinaryOperator::NotEqual => "NE",
             BinaryOperator::Less => "LT",
@@ -205,8 +199,8 @@ impl BinaryOperator {
             BinaryOperator::Subtract => "SUB",
             BinaryOperator::Multiply => "MUL",
             BinaryOperator::Divide => "DIV",
-            BinaryOperator::Modulo => "MOD",
             BinaryOperator::Power => "EXPT",
+            operator => operator.as_str(),
         }
     }
 }

@@ -3,20 +3,20 @@
 use super::Name;
 use crate::source::Span;
 
-/// A word with another before its `#`. It is kept as one piece of the source, for expressions are many and must
+/// A word with another before its `#` or point. It is kept as one piece of the source, for expressions are many and must
 /// be small.
 #[derive(Clone, Copy, Debug)]
 pub struct Prefixed<'s> {
     written: &'s str,
     start: u32,
-    /// The length of what stands before the `#`.
+    /// The length of what stands before the `#` or point.
     prefix: u32,
 }
 
 impl<'s> Prefixed<'s> {
-    /// Takes the word that is written as `written` and begins at byte `start`; without a `#` all of it is the prefix.
+    /// Takes the word that is written as `written` and begins at byte `start`; without a `#` or point all of it is the prefix.
     pub(crate) fn new(written: &'s str, start: u32) -> Prefixed<'s> {
-        let prefix = written.find('#').unwrap_or(written.len()) as u32;
+        let prefix = written.find(['#', '.']).unwrap_or(written.len()) as u32;
         Prefixed {
             written,
             start,
@@ -24,22 +24,13 @@ impl<'s> Prefixed<'s> {
         }
     }
 
-    /// Takes the word `TYPE.VALUE` that is written as `written` and begins at byte `start`, with a type of this length.
-    pub(crate) fn behind_point(written: &'s str, start: u32, prefix: u32) -> Prefixed<'s> {
-        Prefixed {
-            written,
-            start,
-            prefix,
-        }
-    }
-
-    /// Returns the word before the `#`: `COLOR` of `COLOR#RED`.
+    /// Returns the word before the `#` or point: `COLOR` of `COLOR#RED`.
     #[must_use]
     pub fn prefix(&self) -> Name<'s> {
         self.piece(0, self.prefix)
     }
 
-    /// Returns the word behind the `#`: `RED` of `COLOR#RED`.
+    /// Returns the word behind the `#` or point: `RED` of `COLOR#RED`.
     #[must_use]
     pub fn value(&self) -> Name<'s> {
         self.piece(self.prefix + 1, self.written.len() as u32)

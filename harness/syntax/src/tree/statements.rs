@@ -84,6 +84,18 @@ pub enum StatementKind {
     Empty,
 }
 
+impl StatementKind {
+    /// Returns whether the statement has an END_… of its own, so that what follows it does not make it doubtful.
+    #[must_use]
+    pub const fn is_block(&self) -> bool {
+        use StatementKind::{Case, For, If, Repeat, While};
+        matches!(
+            self,
+            If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
+        )
+    }
+}
+
 /// One branch of a CASE statement.
 #[derive(PartialEq, Debug)]
 pub struct CaseBranch {

@@ -1,6 +1,6 @@
 //! The whole of a text, and the names of its expressions.
 
-use super::{Declaration, Expression, Pou};
+use super::{Configuration, Declaration, Expression, Pou, TypeDeclaration};
 
 /// The name of an expression in [`SourceUnit::expressions`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -30,5 +30,22 @@ impl<'s> SourceUnit<'s> {
                 Declaration::Pou(pou) => Some(pou),
                 _ => None,
             })
+    }
+
+    /// Returns the configurations, in the order of the text.
+    pub fn configurations(&self) -> impl Iterator<Item = &Configuration<'s>> {
+        self.declarations.iter().filter_map(|one| match one {
+            Declaration::Configuration(configuration) => Some(configuration),
+            _ => None,
+        })
+    }
+
+    /// Returns the declarations of types, in the order of the text.
+    pub fn types(&self) -> impl Iterator<Item = &TypeDeclaration<'s>> {
+        let types = self.declarations.iter().filter_map(|one| match one {
+            Declaration::Types(types) => Some(types),
+            _ => None,
+        });
+        types.flatten()
     }
 }

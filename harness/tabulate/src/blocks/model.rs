@@ -3,20 +3,34 @@
 //!
 //! Basis: iec-61131-3: Tables 43 to 46 and Figure 15.
 
-/// A kind of block.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Block {
-    Sr,
-    Rs,
-    Sema,
-    RTrig,
-    FTrig,
-    Ctu,
-    Ctd,
-    Ctud,
-    Tp,
-    Ton,
-    Tof,
+use stickler_types::words;
+
+words! {
+    /// A kind of block, with its name.
+    Block {
+        /// A bistable whose dominant input sets it.
+        Sr = "SR",
+        /// A bistable whose dominant input resets it.
+        Rs = "RS",
+        /// A semaphore.
+        Sema = "SEMA",
+        /// A detector of rising edges.
+        RTrig = "R_TRIG",
+        /// A detector of falling edges.
+        FTrig = "F_TRIG",
+        /// A counter upward.
+        Ctu = "CTU",
+        /// A counter downward.
+        Ctd = "CTD",
+        /// A counter upward and downward.
+        Ctud = "CTUD",
+        /// A pulse.
+        Tp = "TP",
+        /// An on-delay.
+        Ton = "TON",
+        /// An off-delay.
+        Tof = "TOF",
+    }
 }
 
 /// What the sources of some dialects say otherwise.
@@ -44,19 +58,6 @@ pub(super) struct Inputs {
 use Block::{Ctd, Ctu, Ctud, FTrig, RTrig, Rs, Sema, Sr, Tof, Ton, Tp};
 
 impl Block {
-    /// Returns the block of a name; `None` for other names.
-    pub(super) fn named(name: &str) -> Option<Block> {
-        let names = [
-            "SR", "RS", "SEMA", "R_TRIG", "F_TRIG", "CTU", "CTD", "CTUD", "TP", "TON", "TOF",
-        ];
-        let blocks = [Sr, Rs, Sema, RTrig, FTrig, Ctu, Ctd, Ctud, Tp, Ton, Tof];
-        names
-            .iter()
-            .zip(blocks)
-            .find(|(known, _)| **known == name)
-            .map(|(_, block)| block)
-    }
-
     pub(super) fn is_timer(self) -> bool {
         matches!(self, Tp | Ton | Tof)
     }
@@ -93,8 +94,8 @@ impl Block {
             Sr => vec![bit(held(seen, true))],
             Rs => vec![bit(held(seen, false))],
             Sema => vec![bit(is_busy(seen))],
-            RTrig => vec![bit(rises(seen, 0, false))],
-            FTrig => vec![bit(falls(seen, rule == Rule::Standard))],
+            RTrig => vec![bit(becomes(true, seen, 0, false))],
+            FTrig => vec![bit(becomes(false, seen, 0, rule == Rule::Standard))],
             Ctu | Ctd | Ctud => {
                 let count = counted(self, seen, rule, range);
                 match self {
@@ -133,55 +134,31 @@ fn is_busy(seen: &[Inputs]) -> bool {
     held(before, true) && (now.bits[0] || !now.bits[1])
 }
 
-/// Returns whether an input is TRUE now and was not in the scan before; in the first scan, whether it was not `before` it.
-fn rises(seen: &[Inputs], input: usize, before: bool) -> bool {
-    let [.., now] = seen else { return false };
-    let was = seen
-        .len()
-        .checked_sub(2)
-        .map_or(before, |last| seen[last].bits[input]);
-    now.bits[input] && !was
-}
-
-/// Returns whether the input is FALSE now and was not in the scan before; in the first scan, whether it was `before` it.
-fn falls(seen: &[Inputs], before: bool) -> bool {
-    let [.., now] = seen else { return false };
-    let was = seen
-        .len()
-        .checked_sub(2)
-        .map_or(before, |last| seen[last].bits[0]);
-    !now.bits[0] && was
+/// Returns whether an input is as said now and was not in the scan before; in the first scan, whether it was not `before` it.
+fn becomes(is_on: bool, seen: &[Inputs], input: usize, before: bool) -> bool {
+    let [past @ .., now] = seen else { return false };
+    let was = past.last().map_or(before, |last| last.bits[input]);
+    now.bits[input] == is_on && was != is_on
 }
 
 /// Returns the number that a counter holds: that which the last reset or load gave it, and an edge of one of the counted inputs alone adds or
 /// takes one, within its limits.
 fn counted(block: Block, seen: &[Inputs], rule: Rule, (least, greatest): (i128, i128)) -> i128 {
-    let input = |one: &Inputs, name: &str| {
-        block
-            .inputs()
-            .iter()
-            .position(|known| *known == name)
-            .is_some_and(|at| one.bits[at])
+    let place = |name: &str| block.inputs().iter().position(|known| *known == name);
+    let is_on = |one: &Inputs, name: &str| place(name).is_some_and(|at| one.bits[at]);
+    let edge =
+        |scan: usize, name: &str| place(name).is_some_and(|at| becomes(true, &seen[..=scan], at, false));
+    let last = seen
+        .iter()
+        .rposition(|one| is_on(one, "reset") || is_on(one, "load"));
+    let start = match last.map(|scan| &seen[scan]) {
+        Some(loaded) if !is_on(loaded, "reset") => loaded.preset,
+        _ => 0,
     };
-    let edge = |scan: usize, name: &str| {
-        let at = block.inputs().iter().position(|known| *known == name);
-        at.is_some_and(|at| rises(&seen[..=scan], at, false))
-    };
-    let is_set = |one: &Inputs| input(one, "reset") || input(one, "load");
-    let last = seen.iter().rposition(is_set);
-    let start = last.map_or(0, |scan| {
-        if input(&seen[scan], "reset") {
-            0
-        } else {
-            seen[scan].preset
-        }
-    });
     (last.map_or(0, |scan| scan + 1)..seen.len()).fold(start, |count, scan| {
-        let stops = rule == Rule::StopsAtPreset;
-        let (floor, ceiling) = if stops {
-            (0, seen[scan].preset)
-        } else {
-            (least, greatest)
+        let (floor, ceiling) = match rule {
+            Rule::StopsAtPreset => (0, seen[scan].preset),
+            Rule::Standard | Rule::NoFirstEdge => (least, greatest),
         };
         match (edge(scan, "up"), edge(scan, "down")) {
             (true, false) if count < ceiling => count + 1,
@@ -223,7 +200,7 @@ fn pulses(seen: &[Inputs]) -> Vec<(bool, i128)> {
     let mut begun: Vec<Option<i128>> = vec![None];
     for (scan, one) in seen.iter().enumerate() {
         let is_under_way = |begun: Option<i128>, at: i128| begun.is_some_and(|begun| at - begun < one.preset);
-        if rises(&seen[..=scan], 0, false) {
+        if becomes(true, &seen[..=scan], 0, false) {
             let before = scan.checked_sub(1).map_or(one.at, |last| seen[last].at);
             let stay = begun.iter().copied().filter(|begun| is_under_way(*begun, before));
             let mut next: Vec<Option<i128>> = stay.collect();

@@ -4,7 +4,7 @@
 /// number from 1, which begins with what the one before it ends with.
 pub(super) fn every_sequence(symbols: usize, length: usize, (part, parts): (usize, usize)) -> Vec<usize> {
     let mut row = Vec::new();
-    extend(&mut vec![0; symbols * length], 1, 1, (symbols, length), &mut row);
+    extend(&mut vec![0; length + 1], 1, 1, (symbols, length), &mut row);
     let around: Vec<usize> = row.iter().take(length - 1).copied().collect();
     row.extend(around);
     let size = row.len().div_ceil(parts);
@@ -15,7 +15,7 @@ pub(super) fn every_sequence(symbols: usize, length: usize, (part, parts): (usiz
 
 /// Adds the prime words from `word[1..at]` on to a de Bruijn sequence, in the order of an alphabet.
 fn extend(
-    word: &mut Vec<usize>,
+    word: &mut [usize],
     at: usize,
     period: usize,
     (symbols, length): (usize, usize),
@@ -27,7 +27,6 @@ fn extend(
         }
         return;
     }
-    word.resize(word.len().max(length + 1), 0);
     word[at] = word[at - period];
     extend(word, at + 1, period, (symbols, length), row);
     for symbol in word[at - period] + 1..symbols {

@@ -27,14 +27,11 @@ fn the_folder_holds_the_rows_that_the_program_writes() {
 
 #[test]
 fn the_sequences_of_blocks_are_those_that_the_program_writes() {
-    for table in blocks::block_tables(&root()).unwrap() {
-        let first = table
-            .text
-            .lines()
-            .zip(table.wanted.lines())
-            .find(|(found, wanted)| found != wanted);
-        assert_eq!(first, None, "{}: cargo xtask tabulate", table.path.display());
-        assert_eq!(table.text.len(), table.wanted.len(), "{}", table.path.display());
+    for (path, table, wanted) in blocks::block_tables(&root()).unwrap() {
+        let mut lines = table.text.lines().zip(wanted.lines());
+        let first = lines.find(|(found, wanted)| found != wanted);
+        assert_eq!(first, None, "{}: cargo xtask tabulate", path.display());
+        assert_eq!(table.text.len(), wanted.len(), "{}", path.display());
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::running::running;
 use anyhow::Context;
 use std::fmt::Write;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
+use stickler_syntax::tree::{Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
 use stickler_types::{Dialect, DialectName};
 
 /// The program that calls.
@@ -67,7 +67,7 @@ impl Judged {
         };
         let all = format!("{text}\n{caller}");
         // The program that calls runs alone.
-        let is_alone = !has_program && unit.declarations.iter().all(is_no_configuration);
+        let is_alone = !has_program && unit.configurations().next().is_none();
         Ok(Judged {
             text: match is_alone {
                 true => all,
@@ -101,10 +101,6 @@ fn called<'t, 's>(unit: &'t SourceUnit<'s>, named: Option<&str>) -> anyhow::Resu
         let names = names.join(", ");
         format!("there is no function block or function `{name}`; there are: {names}")
     })
-}
-
-fn is_no_configuration(declaration: &Declaration<'_>) -> bool {
-    !matches!(declaration, Declaration::Configuration(_))
 }
 
 fn caller_of_block(text: &str, block: &Pou<'_>) -> String {

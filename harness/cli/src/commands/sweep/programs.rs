@@ -47,7 +47,6 @@ pub fn execute(
                 page.not_run(&error)?;
                 continue;
             }
-            Err(ForeignError::Engine(error)) => return Err(error.into()),
             Err(error) => return Err(error.into()),
         };
         page.end_of_programs(&findings, begun.elapsed())?;

@@ -173,9 +173,9 @@ impl DescribedCall<'_> {
         diagnostics.retain(Diagnostic::is_error);
         if diagnostics.is_empty() {
             return match ended.crashed() {
-                Outcome::Crashed { reason } => Outcome::Crashed {
-                    reason: format!("{reason}; nothing that it wrote fits its `diagnostic`"),
-                },
+                Outcome::Crashed { reason } => {
+                    Outcome::crashed(format!("{reason}; nothing that it wrote fits its `diagnostic`"))
+                }
                 other => other,
             };
         }

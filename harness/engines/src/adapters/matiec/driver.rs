@@ -144,7 +144,7 @@ fn driven<'r>(
 /// Returns the expression for the value of a variable.
 fn expression(kind: &ObservedKind<'_>, variable: String) -> ValueExpression {
     match kind {
-        ObservedKind::Elementary(ty) if is_time(*ty) => ValueExpression::Timespec(variable),
+        ObservedKind::Elementary(ty) if ty.is_moment() => ValueExpression::Timespec(variable),
         ObservedKind::Elementary(ty) if ty.is_text() => ValueExpression::Text {
             condition: format!("at < {variable}.len"),
             unit: format!("{variable}.body[at]"),
@@ -235,10 +235,6 @@ fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
 /// Splits a duration into seconds and nanoseconds of the same sign.
 fn split(nanoseconds: i64) -> (i64, i64) {
     (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
-}
-
-fn is_time(ty: ElementaryType) -> bool {
-    ty.is_duration() || ty.is_date_or_time()
 }
 
 #[cfg(test)]

@@ -101,9 +101,7 @@ pub(super) fn steady(outcome: Outcome) -> Outcome {
         words.map(word).collect::<Vec<String>>().join(" ")
     };
     match outcome {
-        Outcome::Crashed { reason } => Outcome::Crashed {
-            reason: steady(&reason),
-        },
+        Outcome::Crashed { reason } => Outcome::crashed(steady(&reason)),
         Outcome::Unusable { reason } => Outcome::Unusable {
             reason: steady(&reason),
         },

@@ -163,9 +163,7 @@ fn shown_as(kind: &ObservedKind<'_>) -> ElementaryType {
 fn expression(kind: &ObservedKind<'_>) -> ValueExpression {
     let value = || "value".to_owned();
     match kind {
-        ObservedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
-            ValueExpression::Nanoseconds(value())
-        }
+        ObservedKind::Elementary(ty) if ty.is_moment() => ValueExpression::Nanoseconds(value()),
         ObservedKind::Elementary(ty) if ty.is_text() => ValueExpression::Text {
             condition: "value[at]".to_owned(),
             unit: "value[at]".to_owned(),
@@ -192,7 +190,7 @@ fn of_c(ty: ElementaryType) -> &'static str {
         ElementaryType::Lreal => "double",
         ElementaryType::Char => "uint8_t",
         ElementaryType::Wchar => "uint16_t",
-        _ if ty.is_duration() || ty.is_date_or_time() => "int64_t",
+        _ if ty.is_moment() => "int64_t",
         _ => match ty.bits() {
             0..=8 => "uint8_t",
             9..=16 => "uint16_t",

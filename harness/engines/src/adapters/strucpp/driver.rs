@@ -105,9 +105,7 @@ fn expression(kind: &ObservedKind<'_>, variable: String) -> ValueExpression {
         ObservedKind::Elementary(ElementaryType::Date | ElementaryType::Ldate) => {
             ValueExpression::Days(variable)
         }
-        ObservedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
-            ValueExpression::Nanoseconds(variable)
-        }
+        ObservedKind::Elementary(ty) if ty.is_moment() => ValueExpression::Nanoseconds(variable),
         ObservedKind::Elementary(ty) if ty.is_text() => ValueExpression::Text {
             condition: format!("at < {variable}.length()"),
             unit: match ty {

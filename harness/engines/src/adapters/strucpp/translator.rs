@@ -125,18 +125,17 @@ impl Translator {
                 serde_json::from_slice(&reply)
                     .map_err(|error| failed(format!("its translator answered nonsense: {error}")))
             }
-            Err(Failure::Ended) => Err(Outcome::Crashed {
-                reason: translator.end(),
-            }),
+            Err(Failure::Ended) => Err(Outcome::crashed(translator.end())),
             Err(Failure::TimedOut) => Err(Outcome::TimedOut {
                 after_ms: milliseconds(limit),
             }),
-            Err(Failure::Memory(limit)) => Err(Outcome::Crashed {
-                reason: format!("it held more than {} MiB of memory", limit >> 20),
-            }),
-            Err(Failure::Flood) => Err(Outcome::Crashed {
-                reason: format!("it wrote more than {MAX_ANSWER_LEN} bytes"),
-            }),
+            Err(Failure::Memory(limit)) => Err(Outcome::crashed(format!(
+                "it held more than {} MiB of memory",
+                limit >> 20
+            ))),
+            Err(Failure::Flood) => Err(Outcome::crashed(format!(
+                "it wrote more than {MAX_ANSWER_LEN} bytes"
+            ))),
         }
     }
 }
@@ -145,9 +144,7 @@ impl Translator {
 fn rejected(diagnostics: Vec<Diagnostic>) -> Outcome {
     match diagnostics.iter().any(Diagnostic::is_error) {
         true => Outcome::rejected(diagnostics),
-        false => Outcome::Crashed {
-            reason: "it fails without saying why".to_owned(),
-        },
+        false => Outcome::crashed("it fails without saying why"),
     }
 }
 

@@ -132,9 +132,7 @@ const BUGS: [(&str, Bug); 16] = [
                 }
                 _ => false,
             },
-            || Outcome::Crashed {
-                reason: "it is gone".to_owned(),
-            },
+            || Outcome::crashed("it is gone"),
         ),
     ),
     (

@@ -68,13 +68,9 @@ fn real(draw: &mut Unstructured<'_>, ty: ElementaryType, bits: u64) -> Result<u6
     })
 }
 
-/// The number of a real's raw form.
+/// Returns the number of the raw form of a real; 0 for other types.
 pub fn number(raw: u64, ty: ElementaryType) -> f64 {
-    if ty == ElementaryType::Real {
-        f32::from_bits(raw as u32).into()
-    } else {
-        f64::from_bits(raw)
-    }
+    ty.real_value(raw).unwrap_or_default()
 }
 
 /// Returns whether two raw forms are the same value; all NaNs are.
