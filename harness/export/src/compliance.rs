@@ -243,11 +243,5 @@ fn conversion(
         .filter(|expected| expected.basis.is_some())
         .count();
     let stated = format!("{stated} of {}", calls.len());
-    vec![
-        name,
-        effects.join("; "),
-        stated,
-        measured,
-        example,
-    ]
+    vec![name, effects.join("; "), stated, measured, example]
 }

@@ -48,7 +48,7 @@ impl MeasuredFeatures {
         let chosen = measured.choose(plan)?;
         let mut suite = Suite::default();
         let cases = chosen.values().flatten();
-        suite.cases = cases.map(|(_, case)| (*case).clone()).collect();
+        suite.cases = cases.map(|case| (*case).clone()).collect();
         suite.sources = plan.suite.sources.clone();
         suite.features = plan.suite.features.clone();
         let mut failing = BTreeMap::new();
@@ -74,41 +74,33 @@ impl MeasuredFeatures {
             )?;
         }
         for (key, cases) in chosen {
-            if let Some(example) = cases.iter().find_map(|(_, case)| failing.get(&*case.id)) {
+            if let Some(example) = cases.iter().find_map(|case| failing.get(&*case.id)) {
                 measured.0.insert(key, ("differs", example.clone()));
             }
         }
         Ok(measured)
     }
 
-    /// Returns for each feature that the engine has the cases of the dialect that use it and the fewest others, each with its rank.
+    /// Returns for each feature that the engine has up to [`MAX_CASES`] cases of the dialect that use it.
     ///
     /// # Errors
     /// No threads.
-    fn choose<'a>(
-        &self,
-        plan: &CompliancePlan<'a>,
-    ) -> Result<BTreeMap<String, Vec<((bool, usize), &'a Case)>>, RunError> {
-        let cases = plan
-            .suite
-            .cases
-            .iter()
-            .filter(|case| case.dialect == plan.dialect && !case.is_open());
-        let cases: Vec<&Case> = cases.collect();
-        let features = |(): &mut (), case: &&Case| Ok::<_, RunError>(case.features());
-        let used = WorkerPool::new(0).map(cases.iter(), || Ok(()), features)?;
-        let mut chosen: BTreeMap<String, Vec<((bool, usize), &Case)>> = BTreeMap::new();
-        for (case, used) in cases.into_iter().zip(&used) {
-            for key in used
-                .iter()
-                .filter(|key| self.0.get(&***key).is_some_and(|(word, _)| *word == "has"))
-            {
-                let best = chosen.entry(key.to_string()).or_default();
-                best.push(((case.expectation.accepted == Acceptance::Rejected, used.len()), case));
-                best.sort_by_key(|(rank, _)| *rank);
-                best.truncate(MAX_CASES);
+    fn choose<'a>(&self, plan: &CompliancePlan<'a>) -> Result<BTreeMap<String, Vec<&'a Case>>, RunError> {
+        let is_asked = |case: &&Case| case.dialect == plan.dialect && !case.is_open();
+        let cases: Vec<&Case> = plan.suite.cases.iter().filter(is_asked).collect();
+        let features = |(): &mut (), case: &&'a Case| Ok::<_, RunError>((case.features(), *case));
+        let mut used = WorkerPool::new(0).map(cases.iter(), || Ok(()), features)?;
+        used.sort_by_key(|(used, case)| (case.expectation.accepted == Acceptance::Rejected, used.len()));
+        let mut chosen: BTreeMap<String, Vec<&Case>> = BTreeMap::new();
+        for (used, case) in used {
+            for key in used {
+                let best = chosen.entry(key.into_owned()).or_default();
+                if best.len() < MAX_CASES {
+                    best.push(case);
+                }
             }
         }
+        chosen.retain(|key, _| self.0.get(key).is_some_and(|(word, _)| *word == "has"));
         Ok(chosen)
     }
 
