@@ -16,7 +16,7 @@ mod sources;
 
 pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArguments, SweepArguments};
 pub use engines::{EngineArguments, EnginesArguments};
-pub use export::{ExportArguments, ImportArguments};
+pub use export::{ComplianceArguments, DataArguments, ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use judge::JudgeArguments;
 pub use port::PortArguments;
@@ -138,6 +138,12 @@ pub enum Command {
     /// Write pages of self-checking programs, for a compiler that is only reachable through an editor
     #[command(after_help = include_str!("arguments/examples/export.txt"))]
     Export(ExportArguments),
+    /// Write what systems have and do as one JSON file, with its schema, its types and packages for npm and PyPI
+    #[command(after_help = include_str!("arguments/examples/data.txt"))]
+    Data(DataArguments),
+    /// Write the compliance statement that the standard demands of a system, as it is declared and as an engine does
+    #[command(after_help = include_str!("arguments/examples/compliance.txt"))]
+    Compliance(ComplianceArguments),
     /// Judge and report the results that exported pages left in their arrays
     #[command(after_help = include_str!("arguments/examples/import.txt"))]
     Import(ImportArguments),

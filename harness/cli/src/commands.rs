@@ -5,8 +5,10 @@ mod changes;
 mod check;
 mod compare;
 mod completions;
+mod compliance;
 mod contradictions;
 mod conversions;
+mod data;
 mod engine;
 mod engines;
 mod eval;
@@ -72,6 +74,8 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Promote(arguments) => promote::execute(&arguments, out),
         Command::Merge(arguments) => merge::execute(&arguments, out),
         Command::Export(arguments) => export::execute(&arguments, out),
+        Command::Data(arguments) => data::execute(&arguments, out),
+        Command::Compliance(arguments) => compliance::execute(&arguments, out),
         Command::Import(arguments) => import::execute(&arguments, out),
         Command::Completions(arguments) => Ok(completions::execute(&arguments, out)?),
     }

@@ -14,13 +14,7 @@ use stickler_types::{Contradiction, DialectName, MatrixWord, Question, Value};
 /// or of all where these are all. A folder or file of recordings that cannot be
 /// read is reported on stderr.
 pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statements {
-    let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
-    let mut builder = StatementsBuilder::new(dialects.into_iter().collect());
-    for case in cases.iter().filter(|case| is_of_its_system(case, suite)) {
-        if let Some(question) = &case.question {
-            builder.add(question, &statement(case));
-        }
-    }
+    let builder = builder(cases, suite, &[]);
     // A run that asks about no conversion does without the recordings, whose files take longer to read than a few cases.
     let recordings = match builder.is_empty() {
         true => Vec::new(),
@@ -41,6 +35,20 @@ pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statem
     let is_wanted = |asked: &AskedQuestion| is_whole || asked.case.is_some();
     statements.contradictions = gathered.finish(300, is_wanted);
     statements
+}
+
+/// Returns what these cases state about conversions, by the sources of the system that each is about; the columns are
+/// these dialects and those of the cases.
+pub fn builder(cases: &[&Case], suite: &Suite, dialects: &[DialectName]) -> StatementsBuilder {
+    let of_cases = cases.iter().map(|case| case.dialect);
+    let dialects: BTreeSet<DialectName> = dialects.iter().copied().chain(of_cases).collect();
+    let mut builder = StatementsBuilder::new(dialects.into_iter().collect());
+    for case in cases.iter().filter(|case| is_of_its_system(case, suite)) {
+        if let Some(question) = &case.question {
+            builder.add(question, &statement(case));
+        }
+    }
+    builder
 }
 
 /// Returns what documents state about the conversions of all cases of a folder.

@@ -14,6 +14,7 @@ use stickler_engines::{
     Compiler, CompilerSearch, DependencyPaths, DescribedEngine, Description, Engine, EngineError, Identity,
     ProcessEngine, ProcessLimits, Reference,
 };
+use stickler_export::Kind;
 use stickler_types::DialectName;
 
 /// The name of the reference, the engine that is always present.
@@ -156,6 +157,19 @@ pub fn declared_lacks(engines: &[NamedEngine]) -> anyhow::Result<BTreeMap<String
         Some((named.identity().name.clone(), entry.lacks.clone()))
     });
     Ok(declared.collect())
+}
+
+/// Returns the kind of the answers of an engine in [support data](stickler_export::Questions): the reference is Stickler's model.
+pub fn kind(identity: &Identity) -> Kind {
+    match identity.name.as_str() {
+        REFERENCE => Kind::Chosen,
+        _ => Kind::Measured,
+    }
+}
+
+/// Returns the name that support data has for an engine as a source.
+pub fn source(identity: &Identity) -> String {
+    format!("engine: {} {}", identity.name, identity.version)
 }
 
 /// Returns the names of dialects in a list.

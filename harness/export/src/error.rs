@@ -16,6 +16,12 @@ pub enum ExportError {
     /// The folder of an export without a harness holds files.
     #[error("{} is not empty; name an empty folder, or one that is not there yet", .0.display())]
     Occupied(PathBuf),
+    /// The folder holds other files than those of support data.
+    #[error(
+        "{} is not empty and holds no earlier data (there is no {} in it); name an empty folder, or one that is not there yet",
+        .0.display(), crate::DATA
+    )]
+    NoData(PathBuf),
     /// The folder holds no export.
     #[error(
         "{} holds no export (there is no {} in it); name the folder that `stickler export` wrote with --export DIR",

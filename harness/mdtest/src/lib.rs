@@ -33,6 +33,8 @@
 //! Where what must come is a whole text, [`check_examples`] compares the [examples](examples) of a file with the texts that a function
 //! makes of them, and renews them on demand.
 //!
+//! A [`schema`] is what a JSON document is held against.
+//!
 //! Architecture Invariant: this crate knows no language, no dialect and no other crate of Stickler; only tests use it.
 
 mod block;
@@ -42,6 +44,7 @@ mod expansion;
 mod folder;
 mod markdown;
 mod marks;
+pub mod schema;
 
 pub use block::{Block, Difference, Program, same};
 pub use differences::{Reported, differences};

@@ -53,8 +53,6 @@ mod results;
 mod sample;
 mod sarif;
 #[cfg(test)]
-mod schema_check;
-#[cfg(test)]
 mod schema_tests;
 pub mod site;
 pub mod summary;
@@ -65,5 +63,7 @@ mod unexpected;
 pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};
 pub use folder::Reports;
+pub use markdown::inline as markdown_text;
 pub use overview::Overview;
 pub use sarif::diagnostics_as_sarif;
+pub use site::{escaped as html_text, page as html_page};

@@ -5,7 +5,7 @@
 use crate::events::{self, LogLine};
 use crate::golden_tests::{self, difference};
 use crate::results::{self, ResultsDocument};
-use crate::{sample, schema_check};
+use crate::sample;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
@@ -14,6 +14,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
+use stickler_mdtest::schema as schema_check;
 use stickler_run::Event;
 
 /// Returns the schema of what is written of a type.

@@ -15,6 +15,7 @@ mod versions;
 use crate::{ComparisonError, LogError, ReportError, events, results};
 use functions::Functions;
 use history::History;
+pub use html::{escaped, page};
 use run::SiteRun;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
 pub use stickler_syntax::features::FeatureKey;
-use stickler_types::{Dialect, DialectName, ElementaryType};
+use stickler_types::{Dialect, DialectName, ElementaryType, words};
 use toml::Spanned;
 
 use crate::dialects::{DialectSet, Dialects};
@@ -59,7 +59,36 @@ struct FeatureTable {
     program: String,
 }
 
+words! {
+    /// What a system declares of a feature.
+    FeatureSupport {
+        /// Its edition of IEC 61131-3 has the feature, or its documents name it.
+        Has = "has",
+        /// Its documents say that it lacks the feature.
+        Lacks = "lacks",
+        /// It declares nothing of the feature.
+        Open = "open",
+    }
+}
+
 impl Feature {
+    /// Returns what a dialect declares of the feature.
+    #[must_use]
+    pub fn support(&self, dialect: DialectName) -> FeatureSupport {
+        let rules = dialect.rules();
+        // No table of the fourth edition is public: it has what the third has, without what its file names.
+        let edition = rules.features.edition.map(|edition| edition.min(3));
+        if rules.lacks(&self.key) {
+            FeatureSupport::Lacks
+        } else if rules.features.has.contains(&self.key)
+            || edition.is_some_and(|edition| self.tables.contains_key(&edition))
+        {
+            FeatureSupport::Has
+        } else {
+            FeatureSupport::Open
+        }
+    }
+
     /// Returns the bases that promise the feature.
     pub fn promises(&self) -> impl Iterator<Item = &str> {
         self.promised.iter().map(String::as_str)
@@ -165,16 +194,9 @@ impl Features {
             return None;
         }
         let rules = Dialect::of(dialect);
-        let is_of_edition = |key: &str| {
-            let tables = self.get(key).map(|feature| &feature.tables);
-            // No table of the fourth edition is public: it has what the third has, without what its file names.
-            let edition = rules.features.edition.map(|edition| edition.min(3));
-            edition
-                .zip(tables)
-                .is_some_and(|(edition, tables)| tables.contains_key(&edition))
-        };
-        let declares = |key: &str| {
-            !rules.lacks(key) && (rules.features.has.iter().any(|has| has == key) || is_of_edition(key))
+        let declares = |key: &str| match self.get(key) {
+            Some(feature) => feature.support(dialect) == FeatureSupport::Has,
+            None => !rules.lacks(key) && rules.features.has.iter().any(|has| has == key),
         };
         stickler_syntax::features::features(program, rules)
             .into_iter()

@@ -61,7 +61,7 @@ pub use changes::{Change, Changed};
 pub use citations::NOT_STATED;
 pub use dialects::Dialects;
 pub use error::CaseFileError;
-pub use features::{Feature, FeatureKey, Features};
+pub use features::{Feature, FeatureKey, FeatureSupport, Features};
 pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{

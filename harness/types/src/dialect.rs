@@ -426,6 +426,13 @@ impl Dialect {
             .filter_map(|key| Some((key, self.choice(key)?.written(key).into_owned())))
     }
 
+    /// Returns every choice of the dialect in the notation of its file: `conversions.rounding`, `truncate`.
+    pub fn all_choices(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let is_choice = |key: &&str| TABLES.iter().any(|table| key.split('.').next() == Some(table));
+        let written = |key| Some((key, self.choice(key)?.written(key).into_owned()));
+        Dialect::keys().filter(is_choice).filter_map(written)
+    }
+
     /// Returns the overrides in the notation of `stickler.toml`: `implicit INT.BOOL = yes`.
     #[must_use]
     pub fn overrides(&self) -> Vec<String> {

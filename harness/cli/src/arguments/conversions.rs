@@ -21,6 +21,9 @@ pub struct MatrixArguments {
     /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
     #[arg(long)]
     pub recorded: bool,
+    /// Print one JSON object: the questions with the answers of documents, recordings and engines, as `stickler data` has them
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `stickler conversions`.

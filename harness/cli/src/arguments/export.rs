@@ -96,3 +96,46 @@ pub struct ImportArguments {
     #[arg(long, value_name = "DATE", requires = "record")]
     pub date: Option<String>,
 }
+
+/// `stickler data`.
+#[derive(Args, Debug)]
+pub struct DataArguments {
+    /// The folder to write: an empty one, one that is not there yet, or that of earlier data, which is replaced
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Only this system; may be repeated [default: all that are documented]
+    #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
+    pub dialect: Vec<DialectName>,
+}
+
+/// `stickler compliance`.
+#[derive(Args, Debug)]
+pub struct ComplianceArguments {
+    /// The system [default: the dialect of the engine, where it speaks one]
+    #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
+    pub dialect: Option<DialectName>,
+    /// Measure this engine, as for `stickler run`
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Option<String>,
+    /// The edition of IEC 61131-3 whose tables are listed [default: the one that the system declares, or 3]
+    #[arg(long, value_name = "N", value_parser = whole::<u8>(2, 3))]
+    pub edition: Option<u8>,
+    /// Only the table of this number, without conversions and parameters; may be repeated
+    #[arg(long, value_name = "N")]
+    pub table: Vec<String>,
+    /// Write a page for browsers
+    #[arg(long)]
+    pub html: bool,
+    /// Write JSON
+    #[arg(long, conflicts_with = "html")]
+    pub json: bool,
+    /// Write to FILE instead of stdout
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+}

@@ -8,11 +8,14 @@ use crate::exit::Exit;
 use crate::interrupt;
 use crate::output;
 use std::io::Write;
-use stickler_conversions::overview::{self, AnswerSource, AssertedResult, CallOperands, OverviewPage};
+use stickler_conversions::overview::{
+    self, AnswerSource, AssertedResult, CallOperands, OverviewPage, SignatureResults,
+};
 use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, NoSuchFunction, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
+use stickler_export::{Kind, Questions, call_question};
 use stickler_suite::{SourceKind, Suite};
 use stickler_types::{Contradiction, DialectName, PrintedResult, distinct, wrap};
 
@@ -75,7 +78,8 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         .chain(&recorded)
         .collect();
     if arguments.json {
-        overview::write_json(&function, &results, &identities, out)?;
+        let questions = questions(&results, &identities, engines.len(), &suite);
+        writeln!(out, "{}", serde_json::to_string_pretty(&questions)?)?;
     } else {
         let page = OverviewPage {
             results: &results,
@@ -94,6 +98,27 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     }
     let contradict = results.iter().any(|results| results.contradict(engines.len()));
     Ok(Exit::Failures.when(contradict))
+}
+
+/// Returns the questions with what sources state and what engines give, of which the first `asked` are asked now and the others recorded.
+fn questions(all: &[SignatureResults], identities: &[&Identity], asked: usize, suite: &Suite) -> Questions {
+    let mut questions = Questions::default();
+    for (results, column) in all
+        .iter()
+        .flat_map(|of| of.columns.iter().map(move |column| (of, column)))
+    {
+        let kind = match identities[column.engine] {
+            _ if column.engine >= asked => Kind::Recorded,
+            identity => engines::kind(identity),
+        };
+        let source = engines::source(identities[column.engine]);
+        for (call, result) in results.calls.iter().zip(&column.results) {
+            let question = call_question(&results.signature, call);
+            questions.add_expected(&question, column.dialect, &result.expected, &suite.sources);
+            questions.add_result(&question, column.dialect, &result.got, (kind, Some(&source)));
+        }
+    }
+    questions
 }
 
 /// What the folder of cases holds on a function.

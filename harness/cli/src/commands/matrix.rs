@@ -6,11 +6,12 @@ use crate::engines::NamedEngine;
 use crate::exit::Exit;
 use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
 use crate::progress::Progress;
-use crate::{engines, interrupt, run_plan, shell};
+use crate::{documented, engines, interrupt, run_plan, shell};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit;
 use stickler_conversions::recording::Recording;
+use stickler_export::{Questions, answer_word};
 use stickler_suite::Case;
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, TypePair};
 
@@ -38,7 +39,7 @@ const TYPES: [ElementaryType; 20] = [
     ElementaryType::String,
 ];
 
-/// Shows one table for each dialect, with all engines that speak it.
+/// Shows one table for each dialect, with all engines that speak it; as JSON the questions with all answers.
 ///
 /// # Errors
 /// No folder of cases, or an engine that cannot be run or speaks none of the dialects.
@@ -70,6 +71,9 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     for named in &engines {
         engines::spoken(named.identity(), asked)?;
     }
+    let cases = suite.cases.iter().filter(|case| asked.contains(&case.dialect));
+    let statements = documented::builder(&cases.collect::<Vec<_>>(), &suite, &[]);
+    let mut questions = (arguments.json).then(|| Questions::gather(&suite.sources, &statements, &recordings));
     for dialect in asked {
         let speaking = engines.iter().filter(|named| named.identity().speaks(*dialect));
         let speaking: Vec<&NamedEngine> = speaking.collect();
@@ -81,16 +85,40 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
             continue;
         }
         let mut matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
+        if let Some(questions) = &mut questions {
+            add_answers(questions, &matrix, &speaking);
+        }
         matrix.add_recorded(&recorded);
-        matrix.write(out)?;
-        // The next table may take a compiler a minute.
-        out.flush()?;
+        if questions.is_none() {
+            matrix.write(out)?;
+            // The next table may take a compiler a minute.
+            out.flush()?;
+        }
         if matrix.differs() {
             exit = exit.worst(Exit::Failures);
         }
     }
-    legend(&engines, &recordings, out)?;
+    match questions {
+        Some(questions) => writeln!(out, "{}", serde_json::to_string_pretty(&questions)?)?,
+        None => legend(&engines, &recordings, out)?,
+    }
     Ok(exit)
+}
+
+/// Adds the answers of engines to what documents and recordings say, as `stickler data` has it.
+fn add_answers(questions: &mut Questions, matrix: &DialectMatrix, engines: &[&NamedEngine]) {
+    for (column, named) in matrix.engines.iter().zip(engines) {
+        let (kind, source) = (engines::kind(named.identity()), engines::source(named.identity()));
+        for (pair, answer) in &column.answers {
+            let question = Question::Implicit(*pair).to_string();
+            questions.add(
+                question,
+                matrix.dialect,
+                answer_word(*answer),
+                (kind, Some(&source)),
+            );
+        }
+    }
 }
 
 /// Returns the pair of types of which a cell of a matrix asks whether they convert implicitly, and the word of the documents.

@@ -48,6 +48,16 @@ pub fn any(signature: &Signature) -> bool {
     !topics(signature).is_empty()
 }
 
+/// Returns the rules that matter for a signature: what each is about, as in `rounding`, the rule in words, and the dialects that have it.
+#[must_use]
+pub fn rules(signature: &Signature, dialects: &[DialectName]) -> Vec<(String, String, Vec<DialectName>)> {
+    let of_topic = |topic: Topic| {
+        let choices = choices(&topic, signature, dialects).into_iter();
+        choices.map(move |(rule, choosers)| (topic.label.clone(), rule, choosers))
+    };
+    topics(signature).into_iter().flat_map(of_topic).collect()
+}
+
 /// Returns each choice of a topic with the dialects that make it, in the order of the dialects.
 fn choices(
     topic: &Topic,

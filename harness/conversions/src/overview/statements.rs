@@ -9,7 +9,7 @@ mod curve;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
 use crate::contradictions::Contradictions;
-pub use builder::StatementsBuilder;
+pub use builder::{StatedFunction, StatementsBuilder};
 use curve::Curve;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};

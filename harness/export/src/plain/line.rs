@@ -1,5 +1,6 @@
 //! A line of `cases.jsonl`: everything that a case asks and expects, for programs.
 
+use crate::source_line::SourceLine;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use stickler_suite::{Acceptance, Case, ExpectedDiagnostic, Sources};
@@ -108,24 +109,6 @@ struct FaultLine {
     line: u32,
 }
 
-/// A source.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-struct SourceLine<'a> {
-    /// The source and its section.
-    basis: &'a str,
-    /// The title.
-    title: String,
-    /// Who gave it out.
-    publisher: &'a str,
-    /// `document`, `standard`, `recording`, `measurement` or `rule`.
-    kind: &'static str,
-    /// The relation of the publisher to what the source speaks of: `maker`, `integrator`, `restatement` or `third party`.
-    relation: String,
-    /// The address.
-    address: String,
-}
-
 impl<'a> CaseLine<'a> {
     /// Returns the line of a case with its file.
     pub(super) fn new(case: &'a Case, sources: &'a Sources, file: Option<String>) -> CaseLine<'a> {
@@ -149,7 +132,7 @@ impl<'a> CaseLine<'a> {
             set: set.collect(),
             clock: clock.collect(),
             expected: ExpectedLine::new(case),
-            source: SourceLine::new(case, sources),
+            source: SourceLine::new(&*case.basis, sources),
             file,
         }
     }
@@ -190,22 +173,6 @@ impl<'a> ExpectedLine<'a> {
                 .rendered
                 .as_ref()
                 .map(|text| text.lines.iter().map(|line| &**line).collect()),
-        }
-    }
-}
-
-impl<'a> SourceLine<'a> {
-    fn new(case: &'a Case, sources: &'a Sources) -> SourceLine<'a> {
-        let found = sources.of(&case.basis);
-        SourceLine {
-            basis: &case.basis,
-            title: found.map_or_else(String::new, |(source, section)| {
-                source.title.replace("{section}", section)
-            }),
-            publisher: found.map_or("", |(source, _)| &source.publisher),
-            kind: found.map_or("", |(source, _)| source.kind.as_str()),
-            relation: found.map_or_else(String::new, |(source, _)| source.relation.to_string()),
-            address: found.map_or_else(String::new, |(source, section)| source.address_of(section)),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 use super::{diagnostics_as_sarif, json, uri};
 use crate::overview::MAX_KEPT_FAILURES;
-use crate::{sample, schema_check};
+use crate::sample;
 use serde_json::Value;
+use stickler_mdtest::schema as schema_check;
 use stickler_run::Verdict;
 use stickler_types::Diagnostic;
 

@@ -9,7 +9,8 @@ use std::fmt::Write;
 const SITE_STYLE: &str = include_str!("site.css");
 
 /// Returns a whole page with this title and body; the body is HTML.
-pub(super) fn page(title: &str, body: &str) -> String {
+#[must_use]
+pub fn page(title: &str, body: &str) -> String {
     page_with("", title, body)
 }
 
@@ -27,7 +28,8 @@ pub(super) fn page_with(head: &str, title: &str, body: &str) -> String {
 }
 
 /// Escapes a text for an element or a quoted attribute.
-pub(super) fn escaped(text: &str) -> String {
+#[must_use]
+pub fn escaped(text: &str) -> String {
     visible(text)
         .replace('&', "&amp;")
         .replace('<', "&lt;")

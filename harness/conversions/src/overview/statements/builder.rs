@@ -9,7 +9,7 @@ use crate::recording::Recording;
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, signature_of};
-use stickler_types::{ConversionCall, DialectName, ElementaryType, Question, Value, WordTable};
+use stickler_types::{ConversionCall, DialectName, ElementaryType, MatrixWord, Question, Value, WordTable};
 
 /// Gathers statements.
 pub struct StatementsBuilder {
@@ -23,11 +23,15 @@ pub struct StatementsBuilder {
 }
 
 /// A function with the types of one of its signatures, and its calls.
-struct StatedFunction {
-    signature: Signature,
-    dialects: Vec<usize>,
-    calls: Vec<Vec<Value>>,
-    boundaries: usize,
+pub struct StatedFunction {
+    /// The function and its types.
+    pub signature: Signature,
+    /// The indices of the dialects that have the function with these types, among those of the table.
+    pub dialects: Vec<usize>,
+    /// The operands of each call, boundary values first.
+    pub calls: Vec<Vec<Value>>,
+    /// The number of boundary values among them.
+    pub boundaries: usize,
     call_numbers: HashMap<String, usize>,
     /// The results that cases assert, and their bases, by the number of the call and the index of the dialect.
     asserted: HashMap<(usize, usize), (Value, Arc<str>)>,
@@ -94,19 +98,38 @@ impl StatementsBuilder {
         table.add(pair, statement, &self.dialects, basis);
     }
 
-    fn add_call(&mut self, call: &ConversionCall, statement: &CaseStatement<'_>) {
+    /// Adds every conversion function of the dialects with its boundary values, also where no case calls it.
+    pub fn add_all_functions(&mut self) {
+        for dialect in self.dialects.clone() {
+            let functions = stickler_exact::functions(dialect).into_iter();
+            for signature in functions.flat_map(|function| stickler_exact::signatures(&function, dialect)) {
+                if let Some(operands) = inputs::boundaries(&signature).into_iter().next() {
+                    self.function_number(&ConversionCall {
+                        function: signature.function,
+                        operands,
+                        result: signature.result,
+                    });
+                }
+            }
+        }
+    }
+
+    /// Returns the number of the function of a call, which is added where it is new; `None` where no dialect has it.
+    fn function_number(&mut self, call: &ConversionCall) -> Option<usize> {
         let operands = call.operands.iter().map(|operand| operand.type_name().to_owned());
         let key = (call.function.clone(), operands.collect(), call.result);
-        let number = match self.function_numbers.get(&key) {
-            Some(number) => *number,
-            None => {
-                let function = StatedFunction::find(call, &self.dialects);
-                let number = function.is_some().then_some(self.functions.len());
-                self.functions.extend(function);
-                self.function_numbers.insert(key, number);
-                number
-            }
-        };
+        if let Some(number) = self.function_numbers.get(&key) {
+            return *number;
+        }
+        let function = StatedFunction::find(call, &self.dialects);
+        let number = function.is_some().then_some(self.functions.len());
+        self.functions.extend(function);
+        self.function_numbers.insert(key, number);
+        number
+    }
+
+    fn add_call(&mut self, call: &ConversionCall, statement: &CaseStatement<'_>) {
+        let number = self.function_number(call);
         if let Some(number) = number {
             let function = &mut self.functions[number];
             let call = function.call(call.operands.clone());
@@ -120,6 +143,36 @@ impl StatementsBuilder {
             }
             self.call_cases.push((Arc::clone(statement.case), number, call));
         }
+    }
+
+    /// Returns the dialects that are the columns of the table.
+    #[must_use]
+    pub fn dialects(&self) -> &[DialectName] {
+        &self.dialects
+    }
+
+    /// Returns the functions, each with its calls.
+    #[must_use]
+    pub fn functions(&self) -> &[StatedFunction] {
+        &self.functions
+    }
+
+    /// Returns what documents state of pairs of types and parts of types: the question, the dialect, the word and its basis.
+    pub fn accepted(&self) -> impl Iterator<Item = (Question, DialectName, MatrixWord, &str)> {
+        let word = |number: u32| self.words.all().get(number as usize).map_or("", |word| &**word);
+        let ty = move |number| ElementaryType::from_name(word(number));
+        let pairs = self.pairs.all.iter();
+        let pairs = pairs.filter_map(move |of| Some((Question::Implicit((ty(of.from)?, ty(of.to)?)), of)));
+        let parts = self.parts.all.iter();
+        let parts =
+            parts.filter_map(move |of| Some((Question::Part(ty(of.from)?, word(of.to).to_owned()), of)));
+        pairs.chain(parts).flat_map(move |(question, asked)| {
+            let stated = asked.stated.iter().zip(&self.dialects);
+            stated.filter_map(move |(stated, dialect)| {
+                let (answer, basis) = (*stated)?;
+                Some((question.clone(), *dialect, answer, word(basis)))
+            })
+        })
     }
 
     /// Returns whether no case has asked a question yet.
@@ -274,7 +327,8 @@ impl StatedFunction {
     }
 
     /// Returns the expected results of the calls in a dialect; `index` is that of the dialect among all.
-    fn expected(&self, index: usize, dialect: DialectName) -> Vec<ExpectedResult> {
+    #[must_use]
+    pub fn expected(&self, index: usize, dialect: DialectName) -> Vec<ExpectedResult> {
         let of_call = |(number, call): (usize, &Vec<Value>)| {
             let asserted = self.asserted.get(&(number, index));
             let asserted = asserted.map(|(value, basis)| (value, basis));

@@ -3,7 +3,11 @@
 use serde_json::{Map, Value};
 
 /// Returns the first misfit of a value with its place; `None` where the value fits.
-pub(crate) fn misfit(root: &Value, value: &Value) -> Option<String> {
+///
+/// # Panics
+/// A schema with a keyword that is not known here, or with a reference to nothing.
+#[must_use]
+pub fn misfit(root: &Value, value: &Value) -> Option<String> {
     SchemaCheck { root }.misfit(root, value, "")
 }
 

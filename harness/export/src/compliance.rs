@@ -1,0 +1,247 @@
+//! The compliance statement that the standard demands of a system: the tables of features by number, the effects of conversions, and
+//! the parameters that are left to the implementer.
+//!
+//! What is declared comes from the documents of a dialect; what is measured from programs and cases that an engine is [asked](measure).
+//! Basis: iec-61131-3-2003: 1.5.1.
+
+mod measure;
+mod write;
+
+use crate::data::declared_by;
+use measure::MeasuredFeatures;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use stickler_conversions::overview::{StatedFunction, StatementsBuilder, rules};
+use stickler_conversions::{FunctionSession, Refusal};
+use stickler_engines::Engine;
+use stickler_run::RunError;
+use stickler_suite::{Feature, Suite};
+use stickler_types::DialectName;
+use stickler_workers::WorkerPool;
+pub use write::ComplianceForm;
+
+/// What a compliance statement is made of.
+pub struct CompliancePlan<'a> {
+    /// The sources and features, and the cases that an engine may be asked.
+    pub suite: &'a Suite,
+    /// What documents state about the conversions of the dialect alone.
+    pub statements: &'a StatementsBuilder,
+    /// The system.
+    pub dialect: DialectName,
+    /// The edition of the standard whose tables are listed: 2 or 3.
+    pub edition: u8,
+    /// The numbers of the only tables that are wanted, without conversions and parameters; all where there is none.
+    pub tables: &'a [String],
+    /// The engine that is measured; `None` states what is declared.
+    pub engine: Option<&'a dyn Engine>,
+}
+
+/// A compliance statement.
+#[derive(Serialize)]
+pub struct ComplianceStatement {
+    title: String,
+    /// What is claimed, in the words of the standard.
+    claim: String,
+    sections: Vec<Section>,
+    /// Whether something that was measured is not as it is declared or stated.
+    pub differs: bool,
+}
+
+/// A section of a statement: a table of the standard, or another one.
+#[derive(Serialize)]
+struct Section {
+    title: String,
+    text: &'static str,
+    head: &'static [&'static str],
+    rows: Vec<Vec<String>>,
+}
+
+/// The titles of tables, by edition and number.
+type TableTitles = BTreeMap<String, BTreeMap<String, String>>;
+
+/// The place of a feature: the table and its number in it, each a number with the letters behind it.
+type Place<'a> = ((u32, &'a str), (u32, &'a str));
+
+impl ComplianceStatement {
+    /// Makes the statement, and asks the engine where there is one. `None` where the edition has none of the tables.
+    ///
+    /// # Errors
+    /// An engine or a thread that cannot be started, and an engine that takes no program at all.
+    pub fn gather(plan: &CompliancePlan<'_>) -> Result<Option<ComplianceStatement>, RunError> {
+        let measured = match plan.engine.map(Engine::identity) {
+            Some(identity) => format!("measured on {} {}", identity.name, identity.version),
+            None => "by its documents, not measured".to_owned(),
+        };
+        let mut statement = ComplianceStatement {
+            title: format!("Compliance statement: {}", plan.dialect.rules().title),
+            claim: format!(
+                "This system complies with the requirements of IEC 61131-3, edition {}, for the following language features: those that it \
+                 has ({measured}; dialect {}, suite {}).",
+                plan.edition, plan.dialect, plan.suite.version
+            ),
+            sections: Vec::new(),
+            differs: false,
+        };
+        statement.add_features(plan)?;
+        if statement.sections.is_empty() {
+            return Ok(None);
+        }
+        if plan.tables.is_empty() {
+            statement.add_conversions(plan)?;
+            statement.sections.push(Section {
+                title: "Parameters that are left to the implementer".to_owned(),
+                text: "",
+                head: &["parameter", "value"],
+                rows: measure::parameters(plan)?,
+            });
+        }
+        Ok(Some(statement))
+    }
+
+    /// Adds the tables of features.
+    ///
+    /// # Errors
+    /// As [`ComplianceStatement::gather`].
+    fn add_features(&mut self, plan: &CompliancePlan<'_>) -> Result<(), RunError> {
+        let titles: TableTitles = toml::from_str(include_str!("compliance/tables.toml")).unwrap_or_default();
+        let rows = plan.rows();
+        let features: Vec<&Feature> = rows.values().flatten().copied().collect();
+        let mut measured = MeasuredFeatures::ask(plan, &features)?;
+        let mut last = None;
+        for ((table, number), features) in rows {
+            if last.replace(table) != Some(table) {
+                let title = titles
+                    .get(&plan.edition.to_string())
+                    .and_then(|of| of.get(&numbered(table)));
+                self.sections.push(Section {
+                    title: format!("Table {}: {}", numbered(table), title.map_or("", |title| title)),
+                    text: "",
+                    head: &["No.", "feature", "declared", "source", "measured", "example"],
+                    rows: Vec::new(),
+                });
+            }
+            for feature in features {
+                let declared = feature.support(plan.dialect).as_str();
+                let (word, example) = measured.take(&feature.key);
+                self.differs |= word == "differs" || declared == "has" && word == "lacks";
+                let source = declared_by(feature, plan.dialect, plan.suite).unwrap_or_default();
+                let [title, declared, word] = [&feature.title, declared, word].map(str::to_owned);
+                let row = vec![numbered(number), title, declared, source, word, example];
+                self.sections
+                    .last_mut()
+                    .into_iter()
+                    .for_each(|section| section.rows.push(row.clone()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the conversion functions of the dialect, and compares what the engine gives for boundary values with what sources state.
+    ///
+    /// # Errors
+    /// As [`ComplianceStatement::gather`].
+    fn add_conversions(&mut self, plan: &CompliancePlan<'_>) -> Result<(), RunError> {
+        let open = || Ok::<_, RunError>(plan.engine.map(FunctionSession::open).transpose()?);
+        let functions = plan.statements.functions().iter();
+        let mut rows = WorkerPool::new(0).map(functions, open, |session, function| {
+            Ok(conversion(session.as_mut(), function, plan.dialect))
+        })?;
+        rows.sort();
+        self.differs |= rows
+            .iter()
+            .any(|row| row.last().is_some_and(|example| !example.is_empty()));
+        self.sections.push(Section {
+            title: "Effects of conversions".to_owned(),
+            text: "A function without an effect keeps the value, or has no rule in which systems differ. Stated: the boundary values whose \
+                   results a source states; the others follow the effects. Measured: the boundary values that the engine gives so.",
+            head: &["function", "effects", "stated", "measured", "example"],
+            rows,
+        });
+        Ok(())
+    }
+}
+
+impl CompliancePlan<'_> {
+    /// Returns the features of the wanted tables, by their places. A feature without a row of a table is not of the statement.
+    fn rows(&self) -> BTreeMap<Place<'_>, Vec<&Feature>> {
+        let mut rows: BTreeMap<_, Vec<&Feature>> = BTreeMap::new();
+        for feature in self.suite.features.iter() {
+            let place = feature
+                .tables
+                .get(&self.edition)
+                .and_then(|place| place.strip_prefix("Table "));
+            let Some(place) = place else { continue };
+            let (table, number) = place.split_once(", ").unwrap_or((place, ""));
+            if self.tables.is_empty() || self.tables.iter().any(|wanted| wanted == table) {
+                rows.entry((in_order(table), in_order(number)))
+                    .or_default()
+                    .push(feature);
+            }
+        }
+        rows
+    }
+}
+
+/// Divides a number from the letters behind it, so that it is in the order of numbers; 0 where there is none.
+fn in_order(number: &str) -> (u32, &str) {
+    let end = number
+        .find(|letter: char| !letter.is_ascii_digit())
+        .unwrap_or(number.len());
+    (number[..end].parse().unwrap_or(0), &number[end..])
+}
+
+fn numbered((number, letters): (u32, &str)) -> String {
+    match number {
+        0 => letters.to_owned(),
+        number => format!("{number}{letters}"),
+    }
+}
+
+/// The words for the source of a value that no source states.
+const CHOSEN: &str = "these effects, which no source states";
+
+/// Returns the row of a conversion function.
+fn conversion(
+    session: Option<&mut FunctionSession<'_>>,
+    function: &StatedFunction,
+    dialect: DialectName,
+) -> Vec<String> {
+    let signature = &function.signature;
+    let calls = &function.calls[..function.boundaries];
+    let expected = function.expected(0, dialect);
+    let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
+    let rules = rules(signature, &[dialect]).into_iter();
+    let effects: Vec<String> = rules.map(|(about, rule, _)| format!("{about}: {rule}")).collect();
+    let (mut measured, mut example) = ("not asked".to_owned(), String::new());
+    if let Some(session) = session {
+        let got = session.results(dialect, signature, calls);
+        let asked = got.iter().zip(&expected).zip(calls);
+        let (right, mut wrong): (Vec<_>, Vec<_>) =
+            asked.partition(|((got, expected), _)| got.as_ref() == Ok(&expected.value));
+        measured = format!("{} of {}", right.len(), calls.len());
+        wrong.sort_by_key(|((_, expected), _)| expected.basis.is_none());
+        if let Some(((got, expected), call)) = wrong.first() {
+            let operands: Vec<String> = call.iter().map(ToString::to_string).collect();
+            let refused = |refusal: &Refusal| refusal.kind.as_str().to_owned();
+            let gave = got.as_ref().map_or_else(refused, ToString::to_string);
+            let basis = expected.basis.as_deref().unwrap_or(CHOSEN);
+            example = format!(
+                "{}: {gave}, and {} by {basis}",
+                operands.join(", "),
+                expected.value
+            );
+        }
+    }
+    let name = format!(
+        "{}({}) : {}",
+        signature.function,
+        operands.join(", "),
+        signature.result
+    );
+    let stated = expected[..calls.len()]
+        .iter()
+        .filter(|expected| expected.basis.is_some())
+        .count();
+    let stated = format!("{stated} of {}", calls.len());
+    vec![name, effects.join("; "), stated, measured, example]
+}
