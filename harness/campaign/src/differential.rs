@@ -7,7 +7,6 @@ mod comparison;
 mod describe;
 mod engine;
 mod evaluated;
-mod pace;
 mod pack;
 mod reduction;
 mod worker;
@@ -17,7 +16,7 @@ pub(crate) use describe::describe;
 pub use engine::EngineUnderTest;
 pub(crate) use engine::{ask, ask_all};
 pub(crate) use evaluated::EvaluatedProgram;
-pub use pace::PackPolicy;
+pub use pack::PackPolicy;
 pub(crate) use reduction::expected;
 
 use crate::commands::ReproductionCommands;
@@ -40,7 +39,7 @@ pub struct DifferentialOracle<'e> {
     pub open: bool,
     /// The parts of the language that programs shall not have.
     pub without: Exclusions,
-    /// The pace at which an engine is given several programs at a time.
+    /// Whether an engine is given several programs at a time.
     pub packs: PackPolicy,
     /// The parts from which the commands of a finding are written.
     pub commands: ReproductionCommands,

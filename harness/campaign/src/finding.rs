@@ -1,6 +1,8 @@
 //! A finding: a disagreement, reduced, with all that is needed to see it again.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+use stickler_causes::CauseKey;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::{DialectName, Fnv1a};
 
@@ -30,7 +32,7 @@ pub struct Finding {
     pub rule: Vec<String>,
     /// The cause, as far as the reduced program tells it; `None` where the input is no program, or the finding is flaky.
     #[serde(default)]
-    pub cause: Option<FindingCause>,
+    pub cause: Option<CauseKey>,
     /// The dialect of the program, where the input is one.
     pub dialect: Option<String>,
     /// Whether the disagreement was seen again.
@@ -56,32 +58,6 @@ pub struct Finding {
     /// The bytes that the target judges, as small as they could be made; in a file of its own.
     #[serde(skip)]
     pub input: Vec<u8>,
-}
-
-/// The cause of a finding. Two findings of an engine with the same symptom and the same constructs are one.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct FindingCause {
-    /// The cause in one line.
-    pub title: String,
-    /// The behaviour of the engine, as the causes of a run have it: `rejected P4017`, `value`.
-    pub symptom: String,
-    /// The constructs that the program needs to show it. Sorted.
-    pub constructs: Vec<String>,
-    /// The properties of the values and types of the program, of which the cause may need some. Sorted.
-    pub labels: Vec<String>,
-}
-
-impl FindingCause {
-    /// Returns whether a cause that a run of the suite found, by its symptom and its constructs, explains this one: it is of the
-    /// same symptom, this one needs no other construct, and all that the cause needs is there.
-    #[must_use]
-    pub fn is_explained_by(&self, symptom: &str, construct: &str) -> bool {
-        let needs: Vec<&str> = construct.split(", ").filter(|need| !need.is_empty()).collect();
-        let has = |need: &&str| self.constructs.iter().chain(&self.labels).any(|own| own == need);
-        self.symptom == symptom
-            && needs.iter().all(has)
-            && self.constructs.iter().all(|own| needs.contains(&own.as_str()))
-    }
 }
 
 /// An engine that was asked.
@@ -206,12 +182,16 @@ impl Finding {
     /// Returns whether this finding is probably the same as another: the same is wrong with more of the language around it.
     #[must_use]
     pub fn is_like(&self, simpler: &Finding) -> bool {
-        let is_contained = |simpler: &[String], own: &[String]| {
-            !simpler.is_empty() && simpler.len() < own.len() && simpler.iter().all(|part| own.contains(part))
+        let is_contained = |simpler: BTreeSet<&String>, own: BTreeSet<&String>| {
+            !simpler.is_empty() && simpler != own && simpler.is_subset(&own)
         };
         let needs_more = match (&self.cause, &simpler.cause) {
             (Some(own), Some(simpler)) => {
-                own.symptom == simpler.symptom && is_contained(&simpler.constructs, &own.constructs)
+                own.symptom == simpler.symptom
+                    && is_contained(
+                        simpler.constructs.iter().collect(),
+                        own.constructs.iter().collect(),
+                    )
             }
             _ => false,
         };
@@ -219,7 +199,7 @@ impl Finding {
             && self.subject() == simpler.subject()
             && self.target == simpler.target
             && self.kind() == simpler.kind()
-            && (needs_more || is_contained(&simpler.rule, &self.rule))
+            && (needs_more || is_contained(simpler.rule.iter().collect(), self.rule.iter().collect()))
     }
 
     /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
@@ -338,11 +318,11 @@ mod tests {
     #[test]
     fn a_finding_is_named_by_its_cause_where_that_is_known() {
         let with = |rule: &[&str], constructs: &[&str]| {
-            let cause = FindingCause {
+            let cause = CauseKey {
                 title: "CONSTANT".to_owned(),
                 symptom: "rejected".to_owned(),
                 constructs: constructs.iter().map(|&part| part.to_owned()).collect(),
-                labels: vec!["LREAL".to_owned()],
+                labels: BTreeSet::from(["LREAL".to_owned()]),
             };
             let finding = sample::finding("a", "rejected", rule, 9);
             let cause = Some(cause);

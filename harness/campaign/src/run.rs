@@ -3,15 +3,13 @@
 //! Architecture Invariant: what is found depends on the row of verdicts alone, which is taken in the order of places, never
 //! on who was quicker. So the number of workers changes nothing, and with a count a seed finds the same every time.
 
-mod ledger;
 mod tasks;
 #[cfg(test)]
 mod tests;
 
-use crate::finding::Finding;
+use crate::finding::{Confirmation, Finding};
 use crate::oracle::{InputVerdict, Mismatch, Oracle};
-use crate::plan::{CampaignPlan, Until};
-use ledger::Ledger;
+use crate::plan::{CampaignPlan, Until, is_reduced};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -103,7 +101,8 @@ pub fn run(
         verdicts: Reorder::default(),
         reductions: Vec::new(),
         spent: Spent::default(),
-        ledger: Ledger::default(),
+        summary: CampaignSummary::default(),
+        reduced: BTreeMap::new(),
         tell,
     };
     pool.run(
@@ -111,8 +110,12 @@ pub fn run(
         |worker, task| task.attempt(&mut **worker, &clock),
         &mut campaign,
     )?;
-    let interrupted = cancel.is_requested();
-    Ok(campaign.ledger.summary(clock.begun.elapsed(), interrupted))
+    let mut summary = campaign.summary;
+    if summary.ended == CampaignEnd::Done && cancel.is_requested() {
+        summary.ended = CampaignEnd::Interrupted;
+    }
+    summary.elapsed = clock.begun.elapsed();
+    Ok(summary)
 }
 
 /// An error that ends a campaign before an input is judged, or the survey before it.
@@ -200,7 +203,9 @@ struct Campaign<'c, 't, B> {
     /// The mismatches that wait for their reduction.
     reductions: Vec<Mismatch>,
     spent: Spent,
-    ledger: Ledger,
+    summary: CampaignSummary,
+    /// The number of mismatches that were given out to be reduced, by subject and symptom.
+    reduced: BTreeMap<(String, String), u64>,
     tell: &'t mut dyn FnMut(CampaignEvent<'_>),
 }
 
@@ -225,27 +230,31 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
     }
 
     fn take(&mut self, done: Done) {
-        self.lost(done.lost);
+        if let Some(reason) = done.lost {
+            self.clock.over.store(true, Ordering::Relaxed);
+            if self.summary.ended == CampaignEnd::Done {
+                self.summary.ended = CampaignEnd::Lost(reason);
+            }
+        }
         match done.result {
             TaskResult::Judged(number, verdicts) => {
                 self.spent.judging += done.took;
                 self.verdicts.put(number, verdicts);
                 while let Some(verdicts) = self.verdicts.pop() {
-                    let entered = verdicts
-                        .into_iter()
-                        .flat_map(|verdict| self.ledger.enter(verdict));
-                    self.reductions.extend(entered);
+                    verdicts.into_iter().for_each(|verdict| self.enter(verdict));
                 }
             }
             TaskResult::Reduced(finding) => {
                 self.spent.reducing += done.took;
-                if let Some(finding) = self.ledger.found(*finding) {
-                    (self.tell)(CampaignEvent::Found(finding));
-                }
+                self.found(*finding);
             }
             TaskResult::Panicked => {}
         }
-        (self.tell)(CampaignEvent::Progress(self.ledger.progress()));
+        (self.tell)(CampaignEvent::Progress(CampaignProgress {
+            programs: self.summary.programs,
+            disagreements: self.summary.disagreements.values().sum(),
+            findings: self.summary.findings.len() as u64,
+        }));
     }
 }
 
@@ -265,29 +274,63 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
     /// few were reduced before others, and small inputs before large ones. Once the time is up, only the first of each symptom is
     /// still made a finding, as it is; the others are left.
     fn next_reduction(&mut self) -> Option<Mismatch> {
-        let ledger = &self.ledger;
-        let rank = |mismatch: &Mismatch| {
-            let reduced = ledger.reduced(mismatch);
-            (ledger.explains(mismatch), reduced, mismatch.size, mismatch.place)
+        let rank = |(place, mismatch): (usize, &Mismatch)| {
+            let reduced = self.reduced.get(&key(mismatch)).copied().unwrap_or(0);
+            (
+                self.explains(mismatch),
+                reduced,
+                mismatch.size,
+                mismatch.place,
+                place,
+            )
         };
-        let waiting = self.reductions.iter().enumerate();
-        let (place, mismatch) = waiting.min_by_key(|(_, mismatch)| rank(mismatch))?;
-        let is_first = !ledger.explains(mismatch) && ledger.reduced(mismatch) == 0;
-        if !is_first && !self.clock.has_time() {
+        let (is_explained, reduced, .., place) = self.reductions.iter().enumerate().map(rank).min()?;
+        if (is_explained || reduced > 0) && !self.clock.has_time() {
             // So are all others.
-            self.ledger.leave(self.reductions.drain(..).count());
+            self.summary.left += self.reductions.drain(..).count() as u64;
             return None;
         }
         let mismatch = self.reductions.swap_remove(place);
-        self.ledger.reduces(&mismatch);
+        *self.reduced.entry(key(&mismatch)).or_default() += 1;
         Some(mismatch)
     }
 
-    /// Ends the campaign where an engine can no longer be used.
-    fn lost(&mut self, reason: Option<String>) {
-        if let Some(reason) = reason {
-            self.clock.over.store(true, Ordering::Relaxed);
-            self.ledger.lost(reason);
+    /// Counts a verdict, and keeps those of its mismatches that are to be reduced. Verdicts are entered in the order of their places.
+    fn enter(&mut self, verdict: InputVerdict) {
+        self.summary.programs += 1;
+        self.summary.deaths += verdict.deaths;
+        if let Some(word) = verdict.passed_over {
+            *self.summary.passed_over.entry(word).or_default() += 1;
+        }
+        for mismatch in verdict.mismatches {
+            let number = self.summary.disagreements.entry(key(&mismatch)).or_default();
+            *number += 1;
+            if is_reduced(*number) {
+                self.reductions.push(mismatch);
+            } else {
+                self.summary.left += 1;
+            }
         }
     }
+
+    /// Takes a finding, and tells it where it is new, or better than the earlier one of its name.
+    fn found(&mut self, finding: Finding) {
+        *self.summary.times.entry(finding.id.clone()).or_default() += 1;
+        let known = self.summary.findings.get(&finding.id);
+        if known.is_none_or(|known| finding.improves_on(known)) {
+            (self.tell)(CampaignEvent::Found(&finding));
+            self.summary.findings.insert(finding.id.clone(), finding);
+        }
+    }
+
+    /// Returns whether a finding that was confirmed probably has the cause of a mismatch.
+    fn explains(&self, mismatch: &Mismatch) -> bool {
+        let mut findings = self.summary.findings.values();
+        findings
+            .any(|finding| finding.standing == Confirmation::Confirmed && mismatch.is_explained_by(finding))
+    }
+}
+
+fn key(mismatch: &Mismatch) -> (String, String) {
+    (mismatch.subject.clone(), mismatch.symptom.clone())
 }

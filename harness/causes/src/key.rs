@@ -7,23 +7,25 @@ use crate::program::read;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::title::title;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use stickler_run::{Answers, Cause, Fact, Grade, Symptom, Verdict, judge};
 use stickler_suite::{Case, Expectation, ExpectedValue};
 use stickler_types::{DialectName, NamedValue, Outcome};
 
-/// The key of a cause, and its title, by a program that shows it.
-#[derive(Clone, PartialEq, Eq, Debug)]
+/// The key of a cause, and its title, by a program that shows it. Two programs with the same symptom and the same constructs show one
+/// cause of an engine.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct CauseKey {
-    /// The behaviour of the engine, as [`stickler_run::Cause::symptom`].
+    /// The cause in one line.
+    pub title: String,
+    /// The behaviour of the engine, as [`stickler_run::Cause::symptom`]: `rejected P4017`, `value`.
     pub symptom: String,
     /// The constructs that the program needs to show the cause.
     pub constructs: BTreeSet<String>,
     /// The properties of the values and types of the program, of which the cause may need some.
     pub labels: BTreeSet<String>,
-    /// The cause in one line.
-    pub title: String,
 }
 
 impl CauseKey {
@@ -52,6 +54,17 @@ impl CauseKey {
         let verdict = cause.cases.first().map_or(Verdict::Fail, |some| some.verdict);
         let facts = (cause.shown.expected.clone(), cause.shown.got.clone());
         CauseKey::of_facts(&cause.shown.program, verdict, facts)
+    }
+
+    /// Returns whether a cause that a run of the suite found, by its symptom and its constructs, explains this one: it is of the
+    /// same symptom, this one needs no other construct, and all that the cause needs is there.
+    #[must_use]
+    pub fn is_explained_by(&self, symptom: &str, construct: &str) -> bool {
+        let needs: Vec<&str> = construct.split(", ").filter(|need| !need.is_empty()).collect();
+        let has = |need: &&str| self.constructs.iter().chain(&self.labels).any(|own| own == need);
+        self.symptom == symptom
+            && needs.iter().all(has)
+            && self.constructs.iter().all(|own| needs.contains(&own.as_str()))
     }
 
     fn of_facts(program: &str, verdict: Verdict, facts: (Vec<Fact>, Vec<Fact>)) -> CauseKey {

@@ -6,10 +6,11 @@ use std::ops::Deref;
 use stickler_syntax::names::{DeclaredKind, DeclaredName, declared};
 use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{
-    Argument, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind,
-    SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
-    UnaryOperator, VariableGroup, VariableKind,
+    Argument, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind, SourceUnit,
+    StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind, UnaryOperator, VariableGroup,
+    VariableKind,
 };
+pub(crate) use stickler_syntax::visitor::Part;
 use stickler_syntax::visitor::{Context, Place, Visitor, walk};
 use stickler_types::ElementaryType;
 
@@ -64,42 +65,6 @@ impl<'s> Program<'s> {
 /// Reads a program, and asks it something.
 pub(crate) fn read<R>(text: &str, question: impl FnOnce(&ReadProgram<'_, '_>) -> R) -> R {
     question(&Program::new(text).read())
-}
-
-/// An expression where it stands.
-#[derive(Clone, Copy)]
-pub(crate) struct Part<'t, 's> {
-    pub(crate) id: ExpressionId,
-    pub(crate) expression: &'t Expression<'s>,
-    pub(crate) place: Place,
-    /// The expression that it is a part of.
-    pub(crate) around: Option<ExpressionId>,
-    /// The innermost statement; `None` in a declaration.
-    pub(crate) statement: Option<&'t Statement>,
-    pub(crate) pou: Option<&'t Pou<'s>>,
-}
-
-impl<'s> Part<'_, 's> {
-    /// Returns the name that the expression is; `None` of another expression.
-    pub(crate) fn name(&self) -> Option<&'s str> {
-        match &self.expression.kind {
-            ExpressionKind::Name(name) => Some(name.text),
-            _ => None,
-        }
-    }
-
-    /// Returns whether the expression is a field or an element.
-    pub(crate) fn is_part_of_variable(&self) -> bool {
-        matches!(
-            self.expression.kind,
-            ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
-        )
-    }
-
-    /// Returns whether the expression is this name.
-    pub(crate) fn is(&self, name: &str) -> bool {
-        self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
-    }
 }
 
 /// The names and the expressions of a program.
@@ -428,20 +393,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Collector<'t, 's> {
         }
     }
 
-    fn expression(
-        &mut self,
-        (id, expression): (ExpressionId, &'t Expression<'s>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        self.parts.push(Part {
-            id,
-            expression,
-            place,
-            around,
-            statement: at.statement,
-            pou: at.pou,
-        });
+    fn expression(&mut self, part: Part<'t, 's>, _: &Context<'t, 's>) {
+        self.parts.push(part);
     }
 }

@@ -6,6 +6,7 @@ mod export;
 mod fuzz;
 mod judge;
 mod numbers;
+mod port;
 mod record;
 mod reduce;
 mod reports;
@@ -18,6 +19,7 @@ pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ComplianceArguments, DataArguments, ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use judge::JudgeArguments;
+pub use port::PortArguments;
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reports::{BlessArguments, CompareArguments, SiteArguments};
@@ -82,6 +84,9 @@ pub enum Command {
     /// Execute a program, function block or function on traces, and compare what comes out with what they expect
     #[command(after_help = include_str!("arguments/examples/judge.txt"))]
     Judge(JudgeArguments),
+    /// Show what another system rejects of a program, and what it computes otherwise
+    #[command(after_help = include_str!("arguments/examples/port.txt"))]
+    Port(PortArguments),
     /// Print one file in the normalised form of the reference
     #[command(after_help = include_str!("arguments/examples/render.txt"))]
     Render(SourceArguments),

@@ -21,6 +21,7 @@ mod lint;
 mod list;
 mod matrix;
 mod merge;
+mod port;
 mod promote;
 mod record;
 mod reduce;
@@ -55,6 +56,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Check(arguments) => check::execute(&arguments, out),
         Command::Eval(arguments) => eval::execute(&arguments, out),
         Command::Judge(arguments) => judge::execute(&arguments, out),
+        Command::Port(arguments) => port::execute(&arguments, out),
         Command::Render(arguments) => render::execute(&arguments, out),
         Command::Engine(arguments) => engine::execute(&arguments, out),
         Command::Engines(arguments) => engines::execute(&arguments, out),

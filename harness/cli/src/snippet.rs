@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
-use stickler_types::{Diagnostic, Severity};
+use stickler_types::{Diagnostic, Severity, counted};
 
 /// The maximum number of diagnostics that are shown; a broken file has more than anyone reads.
 const MAX_DIAGNOSTICS: usize = 200;
@@ -25,9 +25,9 @@ pub fn write<'f>(
     file_of: impl Fn(u32) -> (&'f str, u32),
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let Some(first) = diagnostics.first() else {
+    if diagnostics.is_empty() {
         return Ok(());
-    };
+    }
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();
     for diagnostic in diagnostics.iter().take(MAX_DIAGNOSTICS) {
@@ -38,13 +38,14 @@ pub fn write<'f>(
     if number > MAX_DIAGNOSTICS {
         writeln!(out, "... and {} more diagnostics\n", number - MAX_DIAGNOSTICS)?;
     }
-    let code = first.code.as_deref().unwrap_or("P4035");
-    let found = if number == 1 {
-        "1 diagnostic".to_owned()
-    } else {
-        format!("{number} diagnostics")
-    };
-    writeln!(out, "{found}; `stickler explain {code}` says more about a code.")
+    let found = counted(number as u64, "diagnostic", "diagnostics");
+    match diagnostics
+        .iter()
+        .find_map(|diagnostic| diagnostic.code.as_deref())
+    {
+        Some(code) => writeln!(out, "{found}; `stickler explain {code}` says more about a code."),
+        None => writeln!(out, "{found}"),
+    }
 }
 
 fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], (path, before): (&'a str, u32)) -> Vec<Group<'a>> {
@@ -52,9 +53,11 @@ fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], (path, before): (&'a s
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level
-        .primary_title(&diagnostic.message)
-        .id(diagnostic.code.as_deref().unwrap_or_default());
+    let title = level.primary_title(&diagnostic.message);
+    let title = match &diagnostic.code {
+        Some(code) => title.id(code),
+        None => title,
+    };
     let line = diagnostic.line.unwrap_or_default().saturating_sub(before) as usize;
     let Some(excerpt) = Excerpt::of(diagnostic, lines) else {
         let origin = Origin::path(path)
@@ -69,15 +72,17 @@ fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], (path, before): (&'a s
         .annotation(place);
     let mut groups = vec![title.element(snippet)];
     if let Some(suggestion) = &diagnostic.suggestion {
-        let patched = Snippet::source(excerpt.text)
+        let patch = Patch::new(excerpt.span.clone(), suggestion);
+        let patched = Snippet::source(excerpt.text.clone())
             .line_start(line)
             .path(path)
-            .patch(Patch::new(excerpt.span, suggestion));
-        groups.push(
-            Level::HELP
-                .secondary_title("convert it explicitly")
-                .element(patched),
-        );
+            .patch(patch);
+        let is_converted = suggestion.contains(&excerpt.text[excerpt.span.clone()]);
+        let title = match is_converted {
+            true => "convert it explicitly",
+            false => "write this instead",
+        };
+        groups.push(Level::HELP.secondary_title(title).element(patched));
     }
     groups
 }

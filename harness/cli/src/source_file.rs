@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 use stickler_types::Diagnostic;
 use walkdir::WalkDir;
 
+/// The name to show for stdin.
+const STDIN: &str = "<stdin>";
+
 /// Reads the bytes of a file, or of stdin where the path is `-`; also returns the name to show for it.
 ///
 /// # Errors
@@ -15,7 +18,7 @@ pub fn read(path: &Path) -> anyhow::Result<(Vec<u8>, String)> {
     if path.as_os_str() == "-" {
         let mut bytes = Vec::new();
         io::stdin().read_to_end(&mut bytes).context("cannot read stdin")?;
-        return Ok((bytes, "<stdin>".to_owned()));
+        return Ok((bytes, STDIN.to_owned()));
     }
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     Ok((bytes, path.display().to_string()))
@@ -93,6 +96,33 @@ impl Program {
             [(name, _)] => name.clone(),
             files => format!("{} files", files.len()),
         }
+    }
+
+    /// Writes a text of as many lines in place of the program into the files that it changes, and returns their number.
+    ///
+    /// # Errors
+    /// A file that cannot be written, such as stdin.
+    pub fn write(&self, text: &str) -> anyhow::Result<u64> {
+        let mut written = 0_u64;
+        let lines: Vec<&str> = text.split_inclusive('\n').collect();
+        let old = String::from_utf8_lossy(&self.bytes);
+        let old: Vec<&str> = old.trim_start_matches('\u{feff}').split_inclusive('\n').collect();
+        for (index, (name, before)) in self.files.iter().enumerate() {
+            let end = self
+                .files
+                .get(index + 1)
+                .map_or(lines.len(), |(_, lines)| *lines as usize);
+            let of_file = *before as usize..end;
+            let changed = lines
+                .get(of_file.clone())
+                .filter(|lines| old.get(of_file) != Some(lines));
+            if let Some(lines) = changed {
+                ensure!(name != STDIN, "stdin cannot be changed; name a file");
+                fs::write(name, lines.concat()).with_context(|| format!("cannot write {name}"))?;
+                written += 1;
+            }
+        }
+        Ok(written)
     }
 
     /// Returns the diagnostics of each file, with lines of the file.

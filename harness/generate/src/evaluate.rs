@@ -10,7 +10,6 @@
 //! |---|---|
 //! | `answer` | results: values, open questions, errors |
 //! | `evaluator` | the state of an evaluation, and its course |
-//! | `layout` | the number of cells of each type, and the offsets of its parts |
 //! | `cell`, `memory` | cells, and the places of a program in them |
 //! | `start` | initial values |
 //! | `statements`, `calls`, `expressions` | the walk |
@@ -23,7 +22,6 @@ mod cell;
 mod conversions;
 mod evaluator;
 mod expressions;
-mod layout;
 mod memory;
 mod ordering;
 mod standard;

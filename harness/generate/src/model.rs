@@ -17,7 +17,7 @@ pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
     StandardFunction, UnaryOperator,
 };
-pub use lookup::subscripts;
+pub use lookup::{PathStep, subscripts};
 pub use program::{InitialValue, Pou, Program, Variable, VariableId, VariableSection};
 pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, ForLoop, Statement};
 pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};

@@ -90,38 +90,44 @@ fn module(file: &str, by_file: bool) -> String {
     place.unwrap_or(file).to_owned()
 }
 
+/// The kinds of explanations, in the order of their columns.
+const KINDS: [ExplanationKind; 4] = [
+    ExplanationKind::Equivalent,
+    ExplanationKind::Open,
+    ExplanationKind::Unseen,
+    ExplanationKind::Unused,
+];
+
 /// A line of the table.
 #[derive(Default)]
 struct MutantCounts {
     killed: usize,
     survived: usize,
-    equivalent: usize,
-    open: usize,
-    unseen: usize,
-    unused: usize,
+    /// The number of those that survive for a reason of each of [`KINDS`].
+    explained: [usize; KINDS.len()],
 }
 
 impl MutantCounts {
     fn add(&mut self, mutant: &JudgedMutant) {
-        match (mutant.outcome.fate, mutant.kind) {
+        let column = mutant
+            .kind
+            .and_then(|kind| KINDS.iter().position(|known| *known == kind));
+        match (mutant.outcome.fate, column) {
             (MutantFate::Unviable, _) => {}
             (MutantFate::Killed, _) => self.killed += 1,
             (MutantFate::Survived, None) => self.survived += 1,
-            (MutantFate::Survived, Some(ExplanationKind::Equivalent)) => self.equivalent += 1,
-            (MutantFate::Survived, Some(ExplanationKind::Open)) => self.open += 1,
-            (MutantFate::Survived, Some(ExplanationKind::Unseen)) => self.unseen += 1,
-            (MutantFate::Survived, Some(ExplanationKind::Unused)) => self.unused += 1,
+            (MutantFate::Survived, Some(column)) => self.explained[column] += 1,
         }
     }
 
-    fn all(&self) -> usize {
-        self.killed + self.survived + self.equivalent + self.open + self.unseen + self.unused
-    }
-
     fn line(&self, name: &str) -> String {
-        let explained = [self.equivalent, self.open, self.unseen, self.unused];
-        let explained: String = explained.iter().map(|count| format!("{count:>11}")).collect();
-        let (all, killed, survived) = (self.all(), self.killed, self.survived);
+        let explained: String = self
+            .explained
+            .iter()
+            .map(|count| format!("{count:>11}"))
+            .collect();
+        let (killed, survived) = (self.killed, self.survived);
+        let all = killed + survived + self.explained.iter().sum::<usize>();
         let rate = percentage(killed, all);
         let of_the_rest = percentage(killed, killed + survived);
         format!("  {name:30}{all:>8}{killed:>8}{rate:>9}{explained}{survived:>13}{of_the_rest:>9}\n")

@@ -3,13 +3,12 @@
 use crate::draft::TextDraft;
 use std::cmp::Reverse;
 use std::ops::Range;
-use stickler_syntax::source::Span;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    CaseLabel, Expression, ExpressionId, ExpressionKind, Initializer, Name, Pou, SourceUnit, Statement,
-    StatementKind, TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
+    CaseLabel, Expression, ExpressionId, Initializer, Name, Pou, SourceUnit, Statement, StatementKind,
+    TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
 };
-use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
+use stickler_syntax::visitor::{Context, Part, Place, Visitor, bodies, walk};
 use stickler_syntax::{Edits, Tokens, parse, tokens};
 use stickler_types::Dialect;
 
@@ -21,18 +20,6 @@ pub struct TextView<'t> {
     pub unit: &'t SourceUnit<'t>,
     /// Its tokens.
     pub tokens: &'t Tokens,
-}
-
-/// A variable where a unit uses it.
-pub struct NameUse<'t> {
-    /// The name as an expression.
-    pub expression: &'t Expression<'t>,
-    /// The place of the name in what surrounds it.
-    pub place: Place,
-    /// The expression that the name is a part of.
-    pub around: Option<&'t Expression<'t>>,
-    /// The innermost statement around; `None` in a declaration.
-    pub statement: Option<&'t Statement>,
 }
 
 impl TextDraft {
@@ -85,7 +72,8 @@ impl<'t> TextView<'t> {
     /// Returns every expression with its place, outer ones before inner ones, in the order of the text.
     #[must_use]
     pub fn expressions(&self) -> Vec<(Place, &'t Expression<'t>)> {
-        let mut found = self.parts().expressions;
+        let found = self.parts().expressions.into_iter();
+        let mut found: Vec<_> = found.map(|part| (part.place, part.expression)).collect();
         found.sort_by_key(|(_, expression)| (expression.span.start, Reverse(expression.span.end)));
         found
     }
@@ -123,14 +111,16 @@ impl<'t> TextView<'t> {
 
     /// Returns each expression of a POU that is this name, read or written.
     #[must_use]
-    pub fn uses(&self, pou: &Pou<'_>, name: Name<'_>) -> Vec<NameUse<'t>> {
-        let mut uses = Uses {
-            inside: pou.span,
-            name: name.text,
-            found: Vec::new(),
-        };
-        walk(self.unit, &mut uses);
-        uses.found
+    pub fn uses(&self, pou: &Pou<'_>, name: Name<'_>) -> Vec<Part<'t, 't>> {
+        let mut found = self.parts().expressions;
+        found.retain(|part| part.pou.is_some_and(|own| own.span == pou.span) && part.is(name.text));
+        found
+    }
+
+    /// Returns the expression that another one is a part of.
+    #[must_use]
+    pub fn around(&self, part: &Part<'_, '_>) -> Option<&'t Expression<'t>> {
+        self.unit.expression(part.around?)
     }
 
     fn parts(&self) -> Parts<'t> {
@@ -252,7 +242,7 @@ impl<'t> TextView<'t> {
 struct Parts<'t> {
     sections: Vec<&'t VariableBlock<'t>>,
     groups: Vec<&'t VariableGroup<'t>>,
-    expressions: Vec<(Place, &'t Expression<'t>)>,
+    expressions: Vec<Part<'t, 't>>,
 }
 
 impl<'t> Visitor<'t, 't> for Parts<'t> {
@@ -264,42 +254,7 @@ impl<'t> Visitor<'t, 't> for Parts<'t> {
         self.groups.push(group);
     }
 
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'t>),
-        place: Place,
-        _: Option<ExpressionId>,
-        _: &Context<'t, 't>,
-    ) {
-        self.expressions.push((place, expression));
-    }
-}
-
-/// The uses of a name inside a span.
-struct Uses<'n, 't> {
-    inside: Span,
-    name: &'n str,
-    found: Vec<NameUse<'t>>,
-}
-
-impl<'t> Visitor<'t, 't> for Uses<'_, 't> {
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'t>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'t, 't>,
-    ) {
-        if at.pou.is_some_and(|pou| pou.span == self.inside)
-            && let ExpressionKind::Name(used) = &expression.kind
-            && used.text.eq_ignore_ascii_case(self.name)
-        {
-            self.found.push(NameUse {
-                expression,
-                place,
-                around: around.and_then(|id| at.unit.expression(id)),
-                statement: at.statement,
-            });
-        }
+    fn expression(&mut self, part: Part<'t, 't>, _: &Context<'t, 't>) {
+        self.expressions.push(part);
     }
 }

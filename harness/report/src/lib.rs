@@ -65,4 +65,5 @@ pub use error::{LogError, ReportError};
 pub use folder::Reports;
 pub use markdown::inline as markdown_text;
 pub use overview::Overview;
+pub use sarif::diagnostics_as_sarif;
 pub use site::{escaped as html_text, page as html_page};

@@ -15,7 +15,7 @@ use document::{
 };
 use std::collections::BTreeMap;
 use stickler_run::Header;
-use stickler_types::counted;
+use stickler_types::{Code, Diagnostic, counted};
 
 /// Returns the content of the file.
 ///
@@ -26,25 +26,104 @@ pub(crate) fn json(overview: &Overview) -> serde_json::Result<Vec<u8>> {
     serde_json::to_vec(&header.map(|header| document(header, overview)))
 }
 
+/// Returns the file of diagnostics, each with the name of its file. Each code is a rule.
+///
+/// # Errors
+/// Returns the error of serde_json.
+pub fn diagnostics_as_sarif<'a>(
+    diagnostics: impl Iterator<Item = (&'a str, &'a Diagnostic)>,
+    command: &str,
+    started: &str,
+) -> serde_json::Result<Vec<u8>> {
+    let mut rules = BTreeMap::new();
+    let mut found = Vec::new();
+    for (file, diagnostic) in diagnostics {
+        let code = diagnostic.registered_code();
+        let id = code.map_or("means-something-else", Code::as_str).to_owned();
+        let summary = code.map_or("The other dialect computes something else.", Code::summary);
+        let help = code.map_or(summary, Code::explanation).to_owned();
+        let text = || Message {
+            text: summary.to_owned(),
+        };
+        rules.entry(id.clone()).or_insert_with(|| SarifRule {
+            id: id.clone(),
+            short_description: text(),
+            full_description: text(),
+            help: Message { text: help },
+            help_uri: None,
+        });
+        found.push((id, file, diagnostic));
+    }
+    let results = found.into_iter().map(|(basis, file, diagnostic)| {
+        let unexpected = Unexpected {
+            key: format!("{basis} {file} {diagnostic}"),
+            basis,
+            file: file.to_owned(),
+            line: diagnostic.line,
+            title: diagnostic.message.clone(),
+            text: diagnostic
+                .suggestion
+                .iter()
+                .map(|text| format!("Write: {text}"))
+                .collect(),
+            cases: 1,
+        };
+        let level = if diagnostic.is_error() {
+            Level::Error
+        } else {
+            Level::Warning
+        };
+        SarifResult {
+            level,
+            ..result(unexpected, &rules)
+        }
+    });
+    let results = results.collect();
+    let called = [command, started].map(str::to_owned);
+    serde_json::to_vec(&of_results(
+        env!("CARGO_PKG_VERSION"),
+        rules,
+        results,
+        called,
+        [Vec::new(), Vec::new()],
+    ))
+}
+
 fn document(header: &Header, overview: &Overview) -> Document {
     let rules = rules(overview);
     let unexpected: Vec<Unexpected> = Unexpected::all(overview).collect();
     let described: u64 = unexpected.iter().map(|one| one.cases).sum();
     let results = unexpected.into_iter().map(|one| result(one, &rules)).collect();
+    let told = [
+        mistakes(header, overview),
+        left_out(overview.failed.saturating_sub(described)),
+    ];
+    let called = [header.command.clone(), header.started.clone()];
+    of_results(&header.stickler, rules, results, called, told)
+}
+
+/// Returns the document of results, with the command and the time of the call, and notifications on its settings and on its work.
+fn of_results(
+    version: &str,
+    rules: BTreeMap<String, SarifRule>,
+    results: Vec<SarifResult>,
+    [command_line, start_time_utc]: [String; 2],
+    [of_settings, of_work]: [Vec<Notification>; 2],
+) -> Document {
     Document::of(SarifRun {
         tool: Tool {
             driver: SarifDriver {
                 name: "Stickler",
-                version: header.stickler.clone(),
+                version: version.to_owned(),
                 rules: rules.into_values().collect(),
             },
         },
         invocations: [Invocation {
             execution_successful: true,
-            command_line: header.command.clone(),
-            start_time_utc: header.started.clone(),
-            tool_configuration_notifications: mistakes(header, overview),
-            tool_execution_notifications: left_out(overview.failed.saturating_sub(described)),
+            command_line,
+            start_time_utc,
+            tool_configuration_notifications: of_settings,
+            tool_execution_notifications: of_work,
         }],
         results,
     })
@@ -116,7 +195,7 @@ fn result(unexpected: Unexpected, rules: &BTreeMap<String, SarifRule>) -> SarifR
         rule_id: basis,
         level: Level::Error,
         message: Message {
-            text: format!("{title}\n\n{text}"),
+            text: format!("{title}\n\n{text}").trim_end().to_owned(),
         },
         locations: place.into_iter().collect(),
         partial_fingerprints: Fingerprints {

@@ -11,11 +11,11 @@ use crate::names::{DeclaredKind, declared};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    CaseFolded, CaseLabel, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name,
-    PointerForm, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification,
-    TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    CaseFolded, CaseLabel, ExpressionKind, Initializer, InitializerKind, Name, PointerForm, Pou, PouKind,
+    SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    VariableBlock, VariableGroup, VariableKind,
 };
-use crate::visitor::{Context, Place, Visitor, walk};
+use crate::visitor::{Context, Part, Place, Visitor, walk};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -421,17 +421,12 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         }
     }
 
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'s>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        let is_callee = place == Place::Callee;
-        match &expression.kind {
+    fn expression(&mut self, part: Part<'t, 's>, at: &Context<'t, 's>) {
+        let is_callee = part.place == Place::Callee;
+        let around = part.around.and_then(|id| at.unit.expression(id));
+        match &part.expression.kind {
             ExpressionKind::Name(_) | ExpressionKind::Field { .. } if is_callee => {}
-            _ => self.expression_features(expression, around.and_then(|id| at.unit.expression(id)), at),
+            _ => self.expression_features(part.expression, around, at),
         }
     }
 }

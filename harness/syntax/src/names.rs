@@ -4,11 +4,10 @@ use crate::features::with_all_syntax;
 use crate::parse;
 use crate::token::{Token, TokenKind, tokens};
 use crate::tree::{
-    Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou,
-    PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup,
-    VariableKind,
+    Argument, Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, PouKind, SourceUnit,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
-use crate::visitor::{Context, Place, Visitor, walk};
+use crate::visitor::{Context, Part, Place, Visitor, walk};
 use std::collections::HashSet;
 use stickler_types::{Code, Dialect};
 
@@ -40,6 +39,8 @@ pub struct DeclaredName<'t, 's> {
     pub inside: Option<&'t Pou<'s>>,
     /// The declaration of a variable or a field; `None` for other names.
     pub group: Option<&'t VariableGroup<'s>>,
+    /// The section of a variable; `None` for other names.
+    pub section: Option<&'t VariableBlock<'s>>,
 }
 
 /// What a name stands for where it is used.
@@ -147,13 +148,14 @@ impl<'t, 's> Names<'t, 's> {
         name: Name<'s>,
         kind: DeclaredKind,
         inside: Option<&'t Pou<'s>>,
-        group: Option<&'t VariableGroup<'s>>,
+        of_variable: Option<(&'t VariableGroup<'s>, Option<&'t VariableBlock<'s>>)>,
     ) {
         self.declared.push(DeclaredName {
             name,
             kind,
             inside,
-            group,
+            group: of_variable.map(|(group, _)| group),
+            section: of_variable.and_then(|(_, section)| section),
         });
     }
 
@@ -181,14 +183,15 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
     }
 
     fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
-        let (kind, inside) = match at.section.filter(|_| !at.is_field()) {
+        let section = at.section.filter(|_| !at.is_field());
+        let (kind, inside) = match section {
             Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
             None => (DeclaredKind::Field, None),
         };
         // Of VAR_CONFIG the names are paths to variables that are declared elsewhere.
         let is_declared = kind != DeclaredKind::Variable(VariableKind::Configured);
         for name in group.names.iter().filter(|_| is_declared) {
-            self.declare(*name, kind, inside, Some(group));
+            self.declare(*name, kind, inside, Some((group, section)));
         }
     }
 
@@ -224,17 +227,11 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
         }
     }
 
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'s>),
-        place: Place,
-        _: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        match &expression.kind {
+    fn expression(&mut self, part: Part<'t, 's>, at: &Context<'t, 's>) {
+        match &part.expression.kind {
             ExpressionKind::Name(name) if name.text.ends_with('^') => {}
             ExpressionKind::Name(name) => {
-                let kind = match place {
+                let kind = match part.place {
                     Place::Callee => UseKind::Callee,
                     _ => UseKind::Value,
                 };

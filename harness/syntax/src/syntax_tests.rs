@@ -18,7 +18,7 @@ use crate::names::{declared, separable, used};
 use crate::source::LineIndex;
 use crate::token::TokenKind;
 use crate::tree::{Declaration, Expression, ExpressionId, ExpressionKind, StatementKind, UnaryOperator};
-use crate::visitor::{Context, Place, Visitor, operands, walk};
+use crate::visitor::{Context, Part, Visitor, operands, walk};
 use crate::{ProgramParts, Renaming, parse, render};
 use std::cell::RefCell;
 use std::collections::HashSet;
@@ -193,17 +193,11 @@ struct Leaves<'s> {
 }
 
 impl<'t, 's: 't> Visitor<'t, 's> for Leaves<'s> {
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'s>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        if operands(expression).is_empty() {
-            let depth = at.around.len() + usize::from(around.is_some());
-            let text = expression.span.text(self.text);
-            self.found += &format!("{text} {place:?} {depth}\n");
+    fn expression(&mut self, part: Part<'t, 's>, at: &Context<'t, 's>) {
+        if operands(part.expression).is_empty() {
+            let depth = at.around.len() + usize::from(part.around.is_some());
+            let text = part.expression.span.text(self.text);
+            self.found += &format!("{text} {:?} {depth}\n", part.place);
         }
     }
 }

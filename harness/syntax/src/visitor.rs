@@ -64,6 +64,49 @@ pub enum Place {
     Right,
 }
 
+/// An expression where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Part<'t, 's> {
+    /// The number of the expression.
+    pub id: ExpressionId,
+    /// The expression.
+    pub expression: &'t Expression<'s>,
+    /// The place in what directly surrounds it.
+    pub place: Place,
+    /// The expression that it is a part of.
+    pub around: Option<ExpressionId>,
+    /// The innermost statement; `None` in a declaration.
+    pub statement: Option<&'t Statement>,
+    /// The program organization unit, the innermost where one is a method; `None` outside of all.
+    pub pou: Option<&'t Pou<'s>>,
+}
+
+impl<'s> Part<'_, 's> {
+    /// Returns the name that the expression is; `None` of another expression.
+    #[must_use]
+    pub fn name(&self) -> Option<&'s str> {
+        match &self.expression.kind {
+            ExpressionKind::Name(name) => Some(name.text),
+            _ => None,
+        }
+    }
+
+    /// Returns whether the expression is this name.
+    #[must_use]
+    pub fn is(&self, name: &str) -> bool {
+        self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
+    }
+
+    /// Returns whether the expression is a field or an element.
+    #[must_use]
+    pub const fn is_part_of_variable(&self) -> bool {
+        matches!(
+            self.expression.kind,
+            ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        )
+    }
+}
+
 /// The surroundings of a part of a tree.
 #[derive(Debug)]
 pub struct Context<'t, 's> {
@@ -117,15 +160,8 @@ pub trait Visitor<'t, 's: 't> {
     /// Visits a statement.
     fn statement(&mut self, _statement: &'t Statement, _at: &Context<'t, 's>) {}
 
-    /// Visits an expression; `around` is the expression that it is a part of.
-    fn expression(
-        &mut self,
-        _expression: (ExpressionId, &'t Expression<'s>),
-        _place: Place,
-        _around: Option<ExpressionId>,
-        _at: &Context<'t, 's>,
-    ) {
-    }
+    /// Visits an expression.
+    fn expression(&mut self, _part: Part<'t, 's>, _at: &Context<'t, 's>) {}
 }
 
 /// Visits all parts of a tree in the order of the text.
@@ -420,7 +456,15 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
             let Some(expression) = self.at.unit.expression(id) else {
                 continue;
             };
-            self.visitor.expression((id, expression), place, around, &self.at);
+            let part = Part {
+                id,
+                expression,
+                place,
+                around,
+                statement: self.at.statement,
+                pou: self.at.pou,
+            };
+            self.visitor.expression(part, &self.at);
             let parts = operands(expression).into_iter().rev();
             self.open
                 .extend(parts.map(|(part, place)| (part, place, Some(id))));

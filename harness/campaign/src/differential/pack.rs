@@ -1,16 +1,36 @@
 //! Several programs in one text, for engines whose every start costs time.
 //!
 //! Their types, functions and blocks stand side by side, and their main programs one behind the other in one, every name kept
-//! apart by a suffix. A pack that an engine agrees with acquits all its programs; one that it does not is halved until
-//! the culprits stand alone, so packing changes no verdict.
+//! apart by a suffix. A pack that an engine agrees with acquits all its programs; the programs of one that it does not are asked
+//! about alone, so packing changes no verdict.
 //!
 //! Basis: harness/engines/README.md (packs).
 
 use super::comparison::JudgedProgram;
 use super::evaluated::EvaluatedProgram;
 use std::fmt::Write;
+use std::time::Duration;
 use stickler_syntax::{ProgramParts, Renaming};
 use stickler_types::{Dialect, DialectName, Value};
+
+/// The time for one program from which on an engine is slow: it spends its time starting, for a program of a campaign is done
+/// in microseconds.
+pub(super) const SLOW_PROGRAM: Duration = Duration::from_millis(20);
+
+/// The number of programs in one pack at most.
+pub(super) const MAX_PACK_LEN: usize = 16;
+
+/// Whether an engine is given several programs at a time. It changes how long a campaign takes, not what it finds.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum PackPolicy {
+    /// Packs programs where no program alone was quick.
+    #[default]
+    WhereSlow,
+    /// Never packs programs.
+    Never,
+    /// Packs programs from the first one on.
+    Always,
+}
 
 /// Several programs as one.
 pub(super) struct Pack {

@@ -7,7 +7,7 @@ use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
 use crate::finding::{
-    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingCause, FindingOrigin, ObservedValue,
+    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
 };
 use crate::oracle::Mismatch;
 use stickler_causes::CauseKey;
@@ -181,22 +181,14 @@ struct SeenAgain {
     outcomes: Vec<EngineReport>,
     /// The message and the cause, where the engine in question shows the symptom.
     message: Option<String>,
-    cause: Option<FindingCause>,
+    cause: Option<CauseKey>,
 }
 
 /// Returns the cause that a program shows; `None` where a document leaves something of it open.
-fn cause(subject: &EvaluatedProgram, outcome: &Outcome) -> Option<FindingCause> {
-    if !subject.opened.is_empty() {
-        return None;
-    }
+fn cause(subject: &EvaluatedProgram, outcome: &Outcome) -> Option<CauseKey> {
     let dialect = subject.program.dialect;
-    let key = CauseKey::of_program(&subject.text, dialect, &subject.values, outcome)?;
-    Some(FindingCause {
-        title: key.title,
-        symptom: key.symptom,
-        constructs: key.constructs.into_iter().collect(),
-        labels: key.labels.into_iter().collect(),
-    })
+    let key = CauseKey::of_program(&subject.text, dialect, &subject.values, outcome);
+    key.filter(|_| subject.opened.is_empty())
 }
 
 /// Judges smaller programs by whether an engine shows a symptom on them.

@@ -4,11 +4,10 @@ use super::DifferentialOracle;
 use super::comparison::{Agreement, JudgedProgram, compare};
 use super::engine::{ask, ask_all, has_died, lives};
 use super::evaluated::EvaluatedProgram;
-use super::pace::{Pace, PackPolicy};
-use super::pack::{Pack, packs};
+use super::pack::{MAX_PACK_LEN, Pack, PackPolicy, SLOW_PROGRAM, packs};
 use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::features::distinctive;
 use stickler_types::DialectName;
@@ -17,7 +16,8 @@ use stickler_types::DialectName;
 pub(super) struct DifferentialWorker<'b> {
     pub(super) oracle: &'b DifferentialOracle<'b>,
     sessions: Vec<EngineSession<'b>>,
-    paces: Vec<Pace>,
+    /// The least time that each engine took for a program alone; `None` before the first one.
+    quickest: Vec<Option<Duration>>,
     /// The reason for which an engine does not answer any more, by its number; `None` where it does.
     lost: Vec<Option<String>>,
 }
@@ -43,7 +43,7 @@ impl<'b> DifferentialWorker<'b> {
         Ok(DifferentialWorker {
             oracle,
             sessions: sessions.collect::<Result<_, _>>()?,
-            paces: vec![Pace::new(oracle.packs); oracle.engines.len()],
+            quickest: vec![None; oracle.engines.len()],
             lost: vec![None; oracle.engines.len()],
         })
     }
@@ -65,7 +65,7 @@ impl<'b> DifferentialWorker<'b> {
         }
     }
 
-    /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so. Returns whether the engine
+    /// Asks one engine about all inputs whose dialect it speaks; in packs, where it is slow. Returns whether the engine
     /// lives.
     fn ask_all(&mut self, index: usize, inputs: &mut [JudgedInput], going: &dyn Fn() -> bool) -> bool {
         let identity = self.oracle.engines[index].identity();
@@ -78,7 +78,7 @@ impl<'b> DifferentialWorker<'b> {
         if self.pack_size(index) > 1 {
             return self.ask_in_packs(index, alone, inputs, going);
         }
-        if self.paces[index].width() > 1 {
+        if self.packs(index) {
             for dialect in DialectName::ALL {
                 let pack = |number: &usize| {
                     let subject = inputs[*number].subject.as_ref();
@@ -86,7 +86,8 @@ impl<'b> DifferentialWorker<'b> {
                 };
                 let together: Vec<usize> = alone.iter().copied().filter(pack).collect();
                 alone.retain(|number| !together.contains(number));
-                if !self.ask_packs(index, &together, inputs, going) {
+                let mut together = together.chunks(MAX_PACK_LEN);
+                if !together.all(|pack| self.ask_pack(index, pack, inputs, going)) {
                     return false;
                 }
             }
@@ -122,26 +123,16 @@ impl<'b> DifferentialWorker<'b> {
         })
     }
 
-    /// Asks about programs of one dialect in packs. Returns whether the engine lives.
-    fn ask_packs(
-        &mut self,
-        index: usize,
-        numbers: &[usize],
-        inputs: &mut [JudgedInput],
-        going: &dyn Fn() -> bool,
-    ) -> bool {
-        let mut rest = numbers;
-        while !rest.is_empty() {
-            let (pack, behind) = rest.split_at(self.paces[index].width().min(rest.len()));
-            if !self.ask_pack(index, pack, inputs, going) {
-                return false;
-            }
-            rest = behind;
+    /// Returns whether an engine that takes one program at a time is given several as one.
+    fn packs(&self, index: usize) -> bool {
+        match self.oracle.packs {
+            PackPolicy::WhereSlow => self.quickest[index].is_some_and(|quickest| quickest >= SLOW_PROGRAM),
+            PackPolicy::Never => false,
+            PackPolicy::Always => true,
         }
-        true
     }
 
-    /// Asks about several programs at once; where the engine does not agree, about each half. Whether the engine lives.
+    /// Asks about several programs of one dialect at once; where the engine does not agree, about each alone. Whether the engine lives.
     fn ask_pack(
         &mut self,
         index: usize,
@@ -149,9 +140,6 @@ impl<'b> DifferentialWorker<'b> {
         inputs: &mut [JudgedInput],
         going: &dyn Fn() -> bool,
     ) -> bool {
-        if let [one] = numbers {
-            return going() && self.ask_alone(index, &mut inputs[*one]);
-        }
         let subjects = subjects(numbers, inputs);
         let Some(pack) = Pack::of(&subjects) else {
             return true;
@@ -160,17 +148,15 @@ impl<'b> DifferentialWorker<'b> {
             return false;
         }
         let outcome = ask(&mut self.sessions[index], pack.question());
-        let agreed = compare(pack.question(), &outcome) == Agreement::Agrees;
-        self.paces[index].packed(agreed);
-        if agreed {
+        if compare(pack.question(), &outcome) == Agreement::Agrees {
             numbers.iter().for_each(|&number| inputs[number].asked += 1);
             return true;
         }
         if has_died(&outcome) && !self.lives(index, subjects[0].program.dialect) {
             return false;
         }
-        let (first, second) = numbers.split_at(numbers.len() / 2);
-        self.ask_pack(index, first, inputs, going) && self.ask_pack(index, second, inputs, going)
+        let mut numbers = numbers.iter();
+        numbers.all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
     }
 
     /// Asks about one program. Returns whether the engine lives.
@@ -180,7 +166,8 @@ impl<'b> DifferentialWorker<'b> {
         };
         let begun = Instant::now();
         let (outcome, agreement) = self.hold(index, subject);
-        self.paces[index].took(begun.elapsed());
+        let quickest = self.quickest[index].get_or_insert(Duration::MAX);
+        *quickest = begun.elapsed().min(*quickest);
         self.enter(index, input, &outcome, &agreement)
     }
 

@@ -103,7 +103,7 @@ impl Engine for DefectiveCompiler {
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(Running(self)))
+        Ok(Box::new(self))
     }
 
     fn pack_size(&self) -> usize {
@@ -128,23 +128,21 @@ impl Engine for DefectiveCompiler {
     }
 }
 
-struct Running<'c>(&'c DefectiveCompiler);
-
-impl Session for Running<'_> {
+impl Session for &DefectiveCompiler {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let number = {
-            let mut asked = self.0.asked.lock().expect("no test panics while it asks");
+            let mut asked = self.asked.lock().expect("no test panics while it asks");
             asked.push(request.source.to_owned());
             asked.len() - 1
         };
-        match self.0.rejects_every {
+        match self.rejects_every {
             every if every > 0 && number.is_multiple_of(every) => Outcome::rejected(vec![Diagnostic {
                 line: Some(1),
                 column: Some(1),
                 message: "the dice said no".to_owned(),
                 ..Diagnostic::default()
             }]),
-            _ => self.0.defects.run(request),
+            _ => self.defects.run(request),
         }
     }
 
@@ -162,7 +160,7 @@ impl Session for Running<'_> {
             Ok(text) => text,
             Err(diagnostics) => return Outcome::rejected(diagnostics),
         };
-        let mut replaced = self.0.defects.renders.iter();
+        let mut replaced = self.defects.renders.iter();
         let text = replaced.find_map(|(from, into)| text.contains(from).then(|| text.replace(from, into)));
         Outcome::Rendered {
             text: text.unwrap_or_else(|| source.to_owned()),

@@ -11,14 +11,14 @@ use crate::exit::Exit;
 use crate::source_file::{Program, files_of};
 use crate::{interrupt, output, snippet};
 use anyhow::{Context, bail, ensure};
-use caller::Judged;
+pub(super) use caller::Judged;
 use result::TraceResult;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::slice;
 use std::sync::Arc;
 use stickler_engines::Session;
-use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, counted};
+use stickler_types::{Diagnostic, DialectName, NamedValue, Observation, Outcome, RunRequest, counted};
 use trace::{Request, Trace};
 use variables::{MAX_VARIABLES, Variables};
 
@@ -205,14 +205,27 @@ fn trace_of(file: &Path) -> Option<PathBuf> {
 
 /// Returns the elementary variables of a program with their values at its start, or the diagnostics of the reference.
 fn variables(judged: &Judged, dialect: DialectName) -> anyhow::Result<Result<Variables, Vec<Diagnostic>>> {
-    let names = stickler_reference::variables(&judged.text, dialect, MAX_VARIABLES);
+    let values = start_values(&judged.text, dialect, MAX_VARIABLES)?;
+    Ok(values.map(|values| Variables::new(values, judged.prefixes)))
+}
+
+/// Returns at most `most` elementary variables of a program with their values at its start, or the diagnostics of the reference.
+///
+/// # Errors
+/// A program that stops before the first scan.
+pub(super) fn start_values(
+    text: &str,
+    dialect: DialectName,
+    most: usize,
+) -> anyhow::Result<Result<Vec<NamedValue>, Vec<Diagnostic>>> {
+    let names = stickler_reference::variables(text, dialect, most);
     let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
     let request = RunRequest {
         scans: 0,
-        ..RunRequest::once(dialect, &judged.text, &observe)
+        ..RunRequest::once(dialect, text, &observe)
     };
     match stickler_reference::run(&request, stickler_reference::Limits::default()) {
-        Ok(Outcome::Executed { values, .. }) => Ok(Ok(Variables::new(values, judged.prefixes))),
+        Ok(Outcome::Executed { values, .. }) => Ok(Ok(values)),
         Ok(Outcome::Rejected { diagnostics }) => Ok(Err(diagnostics)),
         Ok(other) => bail!("the reference answered {other} before the first scan"),
         Err(error) => bail!(error),

@@ -5,10 +5,12 @@
 //! everything else is a number.
 
 mod builder;
+mod curve;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
 use crate::contradictions::Contradictions;
 pub use builder::{StatedFunction, StatementsBuilder};
+use curve::Curve;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -18,6 +20,8 @@ use stickler_types::{DialectName, MatrixWord, PrintedResult, Value};
 #[derive(Default, Serialize)]
 pub struct Statements {
     dialects: Vec<&'static str>,
+    /// The names of the systems of these dialects, for people.
+    titles: Vec<&'static str>,
     words: Vec<String>,
     /// The pairs of types.
     pairs: Vec<Accepted>,
@@ -78,6 +82,9 @@ struct FunctionStatements {
     calls: usize,
     /// The number of its boundary values.
     boundaries: usize,
+    /// Its curve; none where a table shows as much.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curve: Option<Curve>,
 }
 
 /// The calls, each property a list with an element for each call.

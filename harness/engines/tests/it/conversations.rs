@@ -15,19 +15,17 @@ struct Parrot {
     identity: Identity,
 }
 
-struct Perch;
-
 impl Engine for Parrot {
     fn identity(&self) -> &Identity {
         &self.identity
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(Perch))
+        Ok(Box::new(self))
     }
 }
 
-impl Session for Perch {
+impl Session for &Parrot {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         if request.source == "panic" {
             panic!("no more seeds");

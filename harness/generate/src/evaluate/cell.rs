@@ -1,17 +1,25 @@
-//! Memory cells, one for each elementary variable.
+//! The contents of variables: a cell for each elementary value, and lists of cells for arrays, structures and units.
 
 use super::{Evaluated, OpenQuestion, ill_formed};
 use stickler_types::{ElementaryType, Value};
 
-/// The content of one elementary variable.
+/// A place in memory: the number of a unit under execution, then that of a part, of a part of this one, and so on.
+pub(super) type Address = Vec<usize>;
+
+/// The content of a variable, or of a part of one.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum MemoryCell {
-    /// The raw form of a value (see [`ElementaryType`]), the index of an enumerated value, or the address of an in-out.
+    /// The raw form of a value (see [`ElementaryType`]), or the index of an enumerated value.
     Plain(u64),
     /// The code units of a text.
     Text(Box<[u16]>),
     /// A value that no document settles, until the variable is assigned: a guess, and the question that it depends on.
     Unsettled(u64, OpenQuestion),
+    /// The elements of an array, the last subscript varying fastest; the fields of a structure; or the variables of a unit, behind
+    /// which stands the result of a function.
+    Parts(Vec<MemoryCell>),
+    /// The variable that an in-out stands for.
+    Reference(Address),
 }
 
 impl MemoryCell {
@@ -34,6 +42,19 @@ impl MemoryCell {
             Value::Enumerated { .. } | Value::OutOfRange { .. } | Value::Near { .. } => {
                 Err(ill_formed("a value without a literal of its own"))
             }
+        }
+    }
+
+    /// Creates the cell of a unit or a structure with so many parts, which get their contents afterwards.
+    pub fn of_parts(number: usize) -> MemoryCell {
+        MemoryCell::Parts(vec![MemoryCell::Plain(0); number])
+    }
+
+    /// Returns the number of elementary values.
+    pub fn size(&self) -> usize {
+        match self {
+            MemoryCell::Parts(parts) => parts.iter().map(MemoryCell::size).sum(),
+            _ => 1,
         }
     }
 }

@@ -1,10 +1,8 @@
 //! The state of an evaluation and its course: start, scans, and the values at the end.
 
-use super::cell::MemoryCell;
-use super::layout::{Layout, Offsets};
+use super::cell::{Address, MemoryCell};
 use super::{Evaluated, Evaluation, EvaluationError, OpenPoint, OpenQuestion, ill_formed};
 use crate::model::{Pou, Program, Type};
-use std::rc::Rc;
 use stickler_types::ElementaryType;
 
 /// The maximum number of statements and expressions that an evaluation executes, its start included.
@@ -23,19 +21,16 @@ const MAX_DEPTH: u32 = 400;
 /// Basis: rule: integer-overflow-wraps; iec-61131-3: 6.6 and 7.3 (calls and statements); `stickler_exact` for
 /// conversions.
 pub fn evaluate(program: &Program, scans: u32) -> Evaluated<Evaluation> {
-    let layout = Layout::new(program)?;
     let mut evaluator = ModelEvaluator {
         program,
-        layout: &layout,
-        memory: Vec::with_capacity(layout.main.size + 64),
+        memory: vec![MemoryCell::Plain(0)],
         images: vec![None; program.functions.len()],
         opened: Vec::new(),
         steps: 0,
         depth: 0,
         unit: Activation {
             pou: &program.main,
-            offsets: &layout.main,
-            base: 0,
+            at: vec![0],
         },
     };
     evaluator.start()?;
@@ -53,11 +48,10 @@ pub fn evaluate(program: &Program, scans: u32) -> Evaluated<Evaluation> {
 /// The state of an evaluation.
 pub(super) struct ModelEvaluator<'p> {
     pub program: &'p Program,
-    pub layout: &'p Layout,
     /// The variables of the main program with their instances, followed by those of the functions under execution.
     pub memory: Vec<MemoryCell>,
-    /// The initial cells of each function, once it has been called.
-    pub images: Vec<Option<Rc<[MemoryCell]>>>,
+    /// The initial variables of each function, once it has been called.
+    pub images: Vec<Option<MemoryCell>>,
     pub opened: Vec<OpenPoint>,
     pub steps: u64,
     pub depth: u32,
@@ -66,19 +60,17 @@ pub(super) struct ModelEvaluator<'p> {
 }
 
 /// One activation of a program organization unit: its variables and their place in memory.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Activation<'p> {
     pub pou: &'p Pou,
-    pub offsets: &'p Offsets,
-    /// The first cell of the unit; the result of a function follows its variables.
-    pub base: usize,
+    /// The place of the variables of the unit, and of the result of a function.
+    pub at: Address,
 }
 
-impl<'p> Activation<'p> {
-    /// Returns the first cell and the type of the result of a function.
-    pub fn result(self) -> Option<(usize, &'p Type)> {
-        let result = self.pou.result.as_ref();
-        result.map(|ty| (self.base + self.offsets.size, ty))
+impl Activation<'_> {
+    /// Returns the place of a variable; behind the variables of a function stands its result.
+    pub fn part(&self, number: usize) -> Address {
+        [&self.at[..], &[number]].concat()
     }
 }
 
@@ -118,12 +110,11 @@ impl<'p> ModelEvaluator<'p> {
         result
     }
 
-    /// Returns an activation of a function block, whose variables begin at this cell.
-    pub fn instance(&self, block: usize, base: usize) -> Evaluated<Activation<'p>> {
+    /// Returns an activation of a function block, whose variables are at this place.
+    pub fn instance(&self, block: usize, at: Address) -> Evaluated<Activation<'p>> {
         let missing = ill_formed("an instance of an undeclared function block");
         let pou = self.program.blocks.get(block).ok_or(missing)?;
-        let offsets = self.layout.blocks.get(block).ok_or(missing)?;
-        Ok(Activation { pou, offsets, base })
+        Ok(Activation { pou, at })
     }
 
     /// Records a question that no document answers; each question is recorded once.

@@ -9,7 +9,7 @@ use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, Unar
 use stickler_types::{ElementaryType, MomentUnits, Value};
 
 impl<'p> ModelEvaluator<'p> {
-    /// Evaluates an expression that takes one cell.
+    /// Evaluates an expression.
     pub fn expression(&mut self, expression: &'p Expression) -> Evaluated<MemoryCell> {
         self.step()?;
         self.deeper(|evaluator| evaluator.of_expression_kind(expression))
@@ -30,7 +30,7 @@ impl<'p> ModelEvaluator<'p> {
             ExpressionKind::Enumerated(place) => Ok(MemoryCell::Plain(*place as u64)),
             ExpressionKind::Read(place) => {
                 let address = self.locate(place)?;
-                self.load(address)
+                self.load(&address)
             }
             ExpressionKind::Bit(place, bit) => self.bit(place, *bit),
             ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand),
@@ -47,47 +47,18 @@ impl<'p> ModelEvaluator<'p> {
                 self.converted(signature, cell, from)
             }
             ExpressionKind::Call(function, arguments) => {
-                let mut cells = self.call(*function, arguments)?;
-                match (cells.pop(), cells.is_empty()) {
-                    (Some(cell), true) => self.settled(cell),
-                    _ => Err(ill_formed("a function whose result is no single value")),
-                }
+                let result = self.call(*function, arguments)?;
+                Ok(self.settled(result, "as the result of a call"))
             }
             ExpressionKind::Standard(function, arguments) => self.standard(*function, arguments),
             ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
         }
     }
 
-    /// Evaluates an expression of any type to all its cells.
-    pub fn cells(&mut self, expression: &'p Expression) -> Evaluated<Vec<MemoryCell>> {
-        let size = self.layout.size(&expression.ty)?;
-        match &expression.kind {
-            _ if size == 1 => Ok(vec![self.expression(expression)?]),
-            ExpressionKind::Read(place) => {
-                let address = self.locate(place)?;
-                let outside = ill_formed("a place outside the memory");
-                // A structure is copied unchanged: its unsettled parts stay unsettled until they are read.
-                Ok(self.memory.get(address..address + size).ok_or(outside)?.to_vec())
-            }
-            ExpressionKind::Call(function, arguments) => self.call(*function, arguments),
-            ExpressionKind::Raw(_) => Err(EvaluationError::Raw),
-            _ => Err(ill_formed("an operation on a structure or array")),
-        }
-    }
-
-    /// Returns the cell of a call result, and records its question if it is unsettled.
-    fn settled(&mut self, cell: MemoryCell) -> Evaluated<MemoryCell> {
-        if let MemoryCell::Unsettled(raw, question) = cell {
-            self.open(question, || "as the result of a call".to_owned());
-            return Ok(MemoryCell::Plain(raw));
-        }
-        Ok(cell)
-    }
-
     fn bit(&mut self, place: &'p Place, bit: u32) -> Evaluated<MemoryCell> {
         let ty = self.elementary(&place.ty)?;
         let address = self.locate(place)?;
-        match self.load(address)? {
+        match self.load(&address)? {
             MemoryCell::Plain(raw) if bit < ty.bits() => Ok(MemoryCell::Plain(raw >> bit & 1)),
             _ => Err(ill_formed("a bit that the type does not have")),
         }

@@ -1,145 +1,144 @@
 //! The places of a program in memory, and the values at the end.
 
-use super::cell::MemoryCell;
+use super::cell::{Address, MemoryCell};
 use super::evaluator::ModelEvaluator;
-use super::layout::extent;
 use super::{Evaluated, EvaluationError, ill_formed};
-use crate::model::{Place, PlaceSelector, Type, Unit, VariableId, VariableSection};
+use crate::model::{ArrayType, Place, PlaceSelector, Type, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
+/// The maximum number of elementary values in the variables of a unit.
+const MAX_CELLS: usize = 1 << 20;
+
+const NO_PLACE: EvaluationError = ill_formed("a place outside the memory");
+
 impl<'p> ModelEvaluator<'p> {
-    /// Returns the first cell of a variable; for an in-out, that of the variable of the caller.
-    pub fn variable(&self, id: VariableId) -> Evaluated<(usize, &'p Type)> {
-        let unit = self.unit;
+    /// Returns the place of a variable; for an in-out, that of the variable of the caller.
+    pub fn variable(&self, id: VariableId) -> Evaluated<(Address, &'p Type)> {
         let unknown = ill_formed("a variable that its unit does not have");
-        let variable = unit.pou.variables.get(id.0).ok_or(unknown)?;
-        let own = unit.base + unit.offsets.variables.get(id.0).ok_or(unknown)?;
+        let variable = self.unit.pou.variables.get(id.0).ok_or(unknown)?;
+        let own = self.unit.part(id.0);
         if variable.section != VariableSection::InOut {
             return Ok((own, &variable.ty));
         }
-        match self.memory.get(own) {
-            Some(MemoryCell::Plain(address)) => {
-                Ok((usize::try_from(*address).map_err(|_| unknown)?, &variable.ty))
-            }
+        match self.at(&own)? {
+            MemoryCell::Reference(address) => Ok((address.clone(), &variable.ty)),
             _ => Err(ill_formed("an in-out with nothing behind it")),
         }
     }
 
-    /// Evaluates the subscripts of a place and returns its first cell.
-    pub fn locate(&mut self, place: &'p Place) -> Evaluated<usize> {
-        let (mut address, ty) = self.variable(place.variable)?;
-        let mut ty = self.resolved(ty);
+    /// Evaluates the subscripts of a place and returns its address.
+    pub fn locate(&mut self, place: &'p Place) -> Evaluated<Address> {
+        let (mut address, mut ty) = self.variable(place.variable)?;
         for selector in &place.path {
-            let (offset, selected) = self.select(ty, selector)?;
-            address += offset;
-            ty = self.resolved(selected);
+            address.push(match selector {
+                PlaceSelector::Index(_) => self.element(self.resolved(ty), selector)?,
+                PlaceSelector::Field(field) => *field,
+                PlaceSelector::Output(output) => output.0,
+            });
+            let nothing = ill_formed("a selection of something that its type does not have");
+            ty = self.program.selected_type(ty, selector).ok_or(nothing)?;
         }
         Ok(address)
     }
 
-    /// Resolves one selector: returns the offset and the type of the selected part.
-    fn select(&mut self, ty: &'p Type, selector: &'p PlaceSelector) -> Evaluated<(usize, &'p Type)> {
-        let nothing = ill_formed("a selection of something that its type does not have");
-        match (selector, ty) {
-            (PlaceSelector::Index(subscripts), Type::Array(array))
-                if subscripts.len() == array.dimensions.len() =>
-            {
-                let mut element = 0;
-                for (subscript, &(low, high)) in subscripts.iter().zip(&array.dimensions) {
-                    let at = self.integer(subscript)?;
-                    if !(i128::from(low)..=i128::from(high)).contains(&at) {
-                        return Err(EvaluationError::Fault(Fault::SubscriptRange));
-                    }
-                    let inside = usize::try_from(at - i128::from(low)).map_err(|_| nothing)?;
-                    element = element * extent((low, high))? + inside;
-                }
-                Ok((element * self.layout.size(&array.element)?, &array.element))
+    /// Evaluates subscripts and returns the number of the element, the last subscript varying fastest.
+    fn element(&mut self, ty: &'p Type, selector: &'p PlaceSelector) -> Evaluated<usize> {
+        let (PlaceSelector::Index(subscripts), Type::Array(array)) = (selector, ty) else {
+            return Err(ill_formed("a subscript of something that is no array"));
+        };
+        if subscripts.len() != array.dimensions.len() {
+            return Err(ill_formed("other subscripts than the array has dimensions"));
+        }
+        let mut element = 0;
+        for (subscript, &(low, high)) in subscripts.iter().zip(&array.dimensions) {
+            let at = self.integer(subscript)?;
+            if !(i128::from(low)..=i128::from(high)).contains(&at) {
+                return Err(EvaluationError::Fault(Fault::SubscriptRange));
             }
-            (PlaceSelector::Field(field), ty @ Type::Declared(structure)) => {
-                let offset = self.layout.field(*structure, *field).ok_or(nothing)?;
-                let fields = self.program.fields(ty).ok_or(nothing)?;
-                Ok((offset, &fields.get(*field).ok_or(nothing)?.1))
+            let inside = usize::try_from(at - i128::from(low)).map_err(|_| NO_PLACE)?;
+            element = element * extent((low, high))? + inside;
+        }
+        Ok(element)
+    }
+
+    /// Returns the content of a place.
+    pub fn at(&self, address: &[usize]) -> Evaluated<&MemoryCell> {
+        let (first, path) = address.split_first().ok_or(NO_PLACE)?;
+        path.iter()
+            .try_fold(
+                self.memory.get(*first).ok_or(NO_PLACE)?,
+                |cell, part| match cell {
+                    MemoryCell::Parts(parts) => parts.get(*part),
+                    _ => None,
+                },
+            )
+            .ok_or(NO_PLACE)
+    }
+
+    /// Reads a place, and records its question if it is unsettled. An array or a structure is copied unchanged: its unsettled parts
+    /// stay unsettled until they are read.
+    pub fn load(&mut self, address: &[usize]) -> Evaluated<MemoryCell> {
+        let cell = self.at(address)?.clone();
+        Ok(self.settled(cell, "it is read"))
+    }
+
+    /// Returns the content of a place, or the result of a call, and records its question if it is unsettled.
+    pub fn settled(&mut self, cell: MemoryCell, what: &str) -> MemoryCell {
+        match cell {
+            MemoryCell::Unsettled(raw, question) => {
+                self.open(question, || what.to_owned());
+                MemoryCell::Plain(raw)
             }
-            (PlaceSelector::Output(output), Type::Block(block)) => {
-                let offsets = self.layout.blocks.get(*block).ok_or(nothing)?;
-                let block = self.program.blocks.get(*block).ok_or(nothing)?;
-                let offset = offsets.variables.get(output.0).ok_or(nothing)?;
-                Ok((*offset, &block.variables.get(output.0).ok_or(nothing)?.ty))
-            }
-            _ => Err(nothing),
+            settled => settled,
         }
     }
 
-    /// Reads a cell, and records its question if it is unsettled.
-    pub fn load(&mut self, address: usize) -> Evaluated<MemoryCell> {
-        let cell = self
-            .memory
-            .get(address)
-            .ok_or(ill_formed("a place outside the memory"))?;
-        if let MemoryCell::Unsettled(raw, question) = *cell {
-            self.open(question, || "it is read".to_owned());
-            return Ok(MemoryCell::Plain(raw));
+    /// Writes a place.
+    pub fn store(&mut self, address: &[usize], cell: MemoryCell) -> Evaluated<()> {
+        let (first, path) = address.split_first().ok_or(NO_PLACE)?;
+        let mut into = self.memory.get_mut(*first).ok_or(NO_PLACE)?;
+        for part in path {
+            let MemoryCell::Parts(parts) = into else {
+                return Err(NO_PLACE);
+            };
+            into = parts.get_mut(*part).ok_or(NO_PLACE)?;
         }
-        Ok(cell.clone())
-    }
-
-    /// Writes cells from an address on.
-    pub fn write(&mut self, address: usize, cells: &[MemoryCell]) -> Evaluated<()> {
-        let into = self.memory.get_mut(address..address + cells.len());
-        into.ok_or(ill_formed("a place outside the memory"))?
-            .clone_from_slice(cells);
-        Ok(())
-    }
-
-    /// Writes a cell.
-    pub fn store(&mut self, address: usize, cell: MemoryCell) -> Evaluated<()> {
-        let into = self
-            .memory
-            .get_mut(address)
-            .ok_or(ill_formed("a place outside the memory"))?;
         *into = cell;
         Ok(())
     }
 
     /// Returns the values of [`Program::observed`](crate::model::Program::observed), in its order.
     pub fn values(&mut self) -> Evaluated<Vec<(String, Value)>> {
-        let main = self.unit;
-        let mut addresses = Vec::with_capacity(main.offsets.size);
-        for (variable, &offset) in main.pou.variables.iter().zip(&main.offsets.variables) {
-            self.observed(&variable.ty, main.base + offset, &mut addresses)?;
-        }
-        let values = self.program.observed().into_iter().zip(addresses);
-        values
-            .map(|((path, ty), address)| Ok((path, self.load(address)?.into_value(ty)?)))
+        let observed = self.program.observed_parts().into_iter();
+        observed
+            .map(|part| {
+                let address = [&[0], &part.numbers[..]].concat();
+                Ok((part.path, self.load(&address)?.into_value(part.ty)?))
+            })
             .collect()
     }
+}
 
-    /// Collects the addresses of the elementary values in a variable; of an instance those of its outputs.
-    fn observed(&self, ty: &'p Type, address: usize, addresses: &mut Vec<usize>) -> Evaluated<()> {
-        match self.resolved(ty) {
-            Type::Elementary(_) => addresses.push(address),
-            Type::Array(array) => {
-                let size = self.layout.size(&array.element)?;
-                for element in 0..super::layout::elements(array)? {
-                    self.observed(&array.element, address + element * size, addresses)?;
-                }
-            }
-            ty @ Type::Declared(index) => {
-                for (field, (_, ty, _)) in self.program.fields(ty).unwrap_or_default().iter().enumerate() {
-                    let offset = self.layout.field(*index, field).unwrap_or_default();
-                    self.observed(ty, address + offset, addresses)?;
-                }
-            }
-            Type::Block(index) => {
-                let offsets = self.layout.blocks.get(*index).map(|block| &block.variables);
-                let variables = Unit::Block(*index).variables(self.program).iter();
-                for (variable, offset) in variables.zip(offsets.into_iter().flatten()) {
-                    if variable.section == VariableSection::Output {
-                        self.observed(&variable.ty, address + offset, addresses)?;
-                    }
-                }
-            }
-        }
-        Ok(())
+/// Returns the number of elements of an array.
+pub(super) fn elements(array: &ArrayType) -> Evaluated<usize> {
+    array.dimensions.iter().try_fold(1_usize, |product, dimension| {
+        limited(product.saturating_mul(extent(*dimension)?))
+    })
+}
+
+/// Returns the number of subscripts of a dimension.
+fn extent((low, high): (i64, i64)) -> Evaluated<usize> {
+    let extent = i128::from(high) - i128::from(low) + 1;
+    if extent < 1 {
+        return Err(ill_formed("an array without elements"));
+    }
+    limited(usize::try_from(extent).unwrap_or(usize::MAX))
+}
+
+/// Returns a number of elementary values, unless a unit has more than so small a program needs.
+pub(super) fn limited(size: usize) -> Evaluated<usize> {
+    match size {
+        ..=MAX_CELLS => Ok(size),
+        _ => Err(EvaluationError::StepLimit),
     }
 }

@@ -2,93 +2,82 @@
 
 use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
+use super::memory::{elements, limited};
 use super::{Evaluated, OpenQuestion, ill_formed};
 use crate::model::{InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
 impl<'p> ModelEvaluator<'p> {
-    /// Gives the variables of the unit their initial values, in cells that are appended to the memory at its base.
+    /// Gives the variables of the unit their initial values.
     pub fn start(&mut self) -> Evaluated<()> {
-        let unit = self.unit;
-        let end = unit.base + unit.offsets.size;
-        if self.memory.len() < end {
-            self.memory.resize(end, MemoryCell::Plain(0));
-        }
-        for (index, variable) in unit.pou.variables.iter().enumerate() {
-            // Each call sets the address of an in-out.
+        let pou = self.unit.pou;
+        let parts = pou.variables.len() + usize::from(pou.result.is_some());
+        self.store(&self.unit.at.clone(), MemoryCell::of_parts(parts))?;
+        let mut size = 0_usize;
+        for (number, variable) in pou.variables.iter().enumerate() {
+            // Each call sets the variable that an in-out stands for.
             if variable.section != VariableSection::InOut {
-                let offset = unit.offsets.variables.get(index).copied().unwrap_or_default();
-                self.start_variable(variable, unit.base + offset)?;
+                let at = self.unit.part(number);
+                self.start_variable(variable, &at)?;
+                size = limited(size + self.at(&at)?.size())?;
             }
+        }
+        match &pou.result {
+            Some(result) => {
+                let default = self.default(result)?;
+                self.store(&self.unit.part(parts - 1), default)
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn start_variable(&mut self, variable: &'p Variable, at: &[usize]) -> Evaluated<()> {
+        if let Type::Block(index) = self.resolved(&variable.ty) {
+            let instance = self.instance(*index, at.to_vec())?;
+            return self.deeper(|evaluator| evaluator.within(instance, Self::start));
+        }
+        let default = self.default(&variable.ty)?;
+        self.store(at, default)?;
+        let values: Vec<_> = match &variable.initial {
+            None => return Ok(()),
+            Some(InitialValue::Expression(value)) => {
+                let value = self.expression(value)?;
+                return self.store(at, value);
+            }
+            Some(InitialValue::Array(values)) => values.iter().enumerate().collect(),
+            Some(InitialValue::Structure(fields)) => {
+                fields.iter().map(|(field, value)| (*field, value)).collect()
+            }
+        };
+        for (part, value) in values {
+            let value = self.expression(value)?;
+            self.store(&[at, &[part]].concat(), value)?;
         }
         Ok(())
     }
 
-    fn start_variable(&mut self, variable: &'p Variable, at: usize) -> Evaluated<()> {
-        self.default(&variable.ty, at)?;
-        match &variable.initial {
-            None => Ok(()),
-            Some(InitialValue::Expression(value)) => self.assign(at, &variable.ty, value),
-            Some(InitialValue::Array(values)) => {
-                let Type::Array(array) = self.resolved(&variable.ty) else {
-                    return Err(ill_formed("elements of a variable that is not an array"));
-                };
-                let size = self.layout.size(&array.element)?;
-                if values.len() > super::layout::elements(array)? {
-                    return Err(ill_formed("more initial values than the array has elements"));
-                }
-                for (element, value) in values.iter().enumerate() {
-                    self.assign(at + element * size, &array.element, value)?;
-                }
-                Ok(())
-            }
-            Some(InitialValue::Structure(fields)) => {
-                let none = ill_formed("fields of a variable that is not a structure");
-                let resolved = self.resolved(&variable.ty);
-                let (Type::Declared(structure), Some(declared)) = (resolved, self.program.fields(resolved))
-                else {
-                    return Err(none);
-                };
-                for (field, value) in fields {
-                    let offset = self.layout.field(*structure, *field).ok_or(none)?;
-                    let (_, ty, _) = declared.get(*field).ok_or(none)?;
-                    self.assign(at + offset, ty, value)?;
-                }
-                Ok(())
-            }
-        }
-    }
-
-    /// Writes the initial value of a type.
-    pub fn default(&mut self, ty: &'p Type, at: usize) -> Evaluated<()> {
-        match self.resolved(ty) {
-            Type::Elementary(ty) => self.store(at, zero(*ty)),
+    /// Returns the initial value of a type.
+    fn default(&mut self, ty: &'p Type) -> Evaluated<MemoryCell> {
+        Ok(match self.resolved(ty) {
+            Type::Elementary(ty) => zero(*ty),
             Type::Array(array) => {
-                let size = self.layout.size(&array.element)?;
-                for element in 0..super::layout::elements(array)? {
-                    self.default(&array.element, at + element * size)?;
-                }
-                Ok(())
+                let (number, element) = (elements(array)?, self.default(&array.element)?);
+                limited(number.saturating_mul(element.size()))?;
+                MemoryCell::Parts(vec![element; number])
             }
-            resolved @ Type::Declared(index) => match self.program.fields(resolved) {
+            resolved @ Type::Declared(_) => match self.program.fields(resolved) {
                 Some(fields) => {
-                    for (field, (_, ty, initial)) in fields.iter().enumerate() {
-                        let offset = self.layout.field(*index, field).unwrap_or_default();
-                        self.default(ty, at + offset)?;
-                        if let Some(value) = initial {
-                            self.assign(at + offset, ty, value)?;
-                        }
-                    }
-                    Ok(())
+                    let fields = fields.iter().map(|(_, ty, initial)| match initial {
+                        Some(value) => self.expression(value),
+                        None => self.default(ty),
+                    });
+                    MemoryCell::Parts(fields.collect::<Evaluated<_>>()?)
                 }
                 // The first value of an enumeration.
-                None => self.store(at, MemoryCell::Plain(0)),
+                None => MemoryCell::Plain(0),
             },
-            Type::Block(index) => {
-                let instance = self.instance(*index, at)?;
-                self.deeper(|evaluator| evaluator.within(instance, Self::start))
-            }
-        }
+            Type::Block(_) => return Err(ill_formed("an instance that is no variable")),
+        })
     }
 }
 

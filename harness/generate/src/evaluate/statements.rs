@@ -105,31 +105,22 @@ impl<'p> ModelEvaluator<'p> {
         match target {
             AssignmentTarget::Place(place) => {
                 let address = self.locate(place)?;
-                self.assign(address, &place.ty, value)?;
+                let value = self.expression(value)?;
+                self.store(&address, value)?;
             }
             AssignmentTarget::Bit(place, bit) => {
                 let set = self.condition(value)?;
                 self.set_bit(place, *bit, set)?;
             }
             AssignmentTarget::Result => {
-                let (address, ty) = self
-                    .unit
-                    .result()
-                    .ok_or(ill_formed("a result outside a function"))?;
-                self.assign(address, ty, value)?;
+                if self.unit.pou.result.is_none() {
+                    return Err(ill_formed("a result outside a function"));
+                }
+                let value = self.expression(value)?;
+                self.store(&self.unit.part(self.unit.pou.variables.len()), value)?;
             }
         }
         Ok(Flow::Next)
-    }
-
-    /// Evaluates an expression into the cells from an address on.
-    pub fn assign(&mut self, address: usize, ty: &'p Type, value: &'p Expression) -> Evaluated<()> {
-        if self.layout.size(ty)? == 1 {
-            let cell = self.expression(value)?;
-            return self.store(address, cell);
-        }
-        let cells = self.cells(value)?;
-        self.write(address, &cells)
     }
 
     /// Writes one bit of an integer or bit string, and leaves the others unchanged.
@@ -138,14 +129,14 @@ impl<'p> ModelEvaluator<'p> {
     fn set_bit(&mut self, place: &'p Place, bit: u32, set: bool) -> Evaluated<()> {
         let ty = self.elementary(&place.ty)?;
         let address = self.locate(place)?;
-        let MemoryCell::Plain(raw) = self.load(address)? else {
+        let MemoryCell::Plain(raw) = self.load(&address)? else {
             return Err(ill_formed("a bit of a text"));
         };
         if bit >= ty.bits() {
             return Err(ill_formed("a bit that the type does not have"));
         }
         let number = if set { raw | 1 << bit } else { raw & !(1 << bit) };
-        self.store(address, MemoryCell::Plain(ty.wrap(i128::from(number))))
+        self.store(&address, MemoryCell::Plain(ty.wrap(i128::from(number))))
     }
 
     /// Evaluates the selector of a CASE: an integer, or the index of an enumerated value.
@@ -196,17 +187,17 @@ impl<'p> ModelEvaluator<'p> {
                 break;
             }
             let raw = ty.wrap(value);
-            self.store(address, MemoryCell::Plain(raw))?;
+            self.store(&address, MemoryCell::Plain(raw))?;
             match self.turn(&parts.body)? {
                 Flow::Next => {}
                 Flow::Exit => return Ok(Flow::Next),
                 Flow::Return => return Ok(Flow::Return),
             }
-            self.check_unchanged(parts, address, raw, to)?;
+            self.check_unchanged(parts, &address, raw, to)?;
             value += by;
         }
         self.store(
-            address,
+            &address,
             MemoryCell::Unsettled(ty.wrap(value), OpenQuestion::LoopVariable),
         )?;
         Ok(Flow::Next)
@@ -214,8 +205,14 @@ impl<'p> ModelEvaluator<'p> {
 
     /// Raises a question if an iteration has changed the variable of its loop or the value of its limit, because systems
     /// differ in whether they read them again.
-    fn check_unchanged(&mut self, parts: &'p ForLoop, address: usize, raw: u64, to: i128) -> Evaluated<()> {
-        let changed = self.memory.get(address) != Some(&MemoryCell::Plain(raw))
+    fn check_unchanged(
+        &mut self,
+        parts: &'p ForLoop,
+        address: &[usize],
+        raw: u64,
+        to: i128,
+    ) -> Evaluated<()> {
+        let changed = *self.at(address)? != MemoryCell::Plain(raw)
             || (!is_literal(&parts.to) && self.integer(&parts.to)? != to);
         if changed {
             self.open(OpenQuestion::LoopChanged, || "in the body of the loop".to_owned());

@@ -20,10 +20,9 @@ use super::builder::ProgramBuilder;
 use super::calls::convert;
 use super::literals;
 use super::places::{assign, integer, whole};
-use super::scope::PathStep;
 use crate::model::{
-    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, Place, PlaceSelector,
-    StandardFunction, Statement, Type, VariableId, subscripts,
+    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, PathStep, Place,
+    PlaceSelector, StandardFunction, Statement, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 

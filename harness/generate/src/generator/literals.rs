@@ -102,39 +102,10 @@ fn integers(ty: ElementaryType) -> Vec<Value> {
 /// Lists numbers with and without fractions, halves, both zeros, the limits of the integers, the bound up to which REAL
 /// holds every integer, and subnormal numbers. Huge numbers are omitted: a few products of them overflow.
 fn reals(ty: ElementaryType) -> Vec<Value> {
-    const NUMBERS: [f64; 30] = [
-        0.0,
-        1.0,
-        -1.0,
-        0.5,
-        -0.5,
-        1.5,
-        2.5,
-        -2.5,
-        0.1,
-        -0.1,
-        -0.0,
-        2.0,
-        3.0,
-        -7.25,
-        100.0,
-        127.0,
-        127.5,
-        128.0,
-        -128.5,
-        255.0,
-        255.5,
-        -129.0,
-        32767.0,
-        -32768.0,
-        65535.5,
-        65536.0,
-        1.0e6,
-        16_777_216.0,
-        2_147_483_520.0,
-        0.001,
-    ];
-    let mut values = NUMBERS.map(|number| Value::of_real(ty, number)).to_vec();
+    let numbers = include_str!("reals.txt")
+        .lines()
+        .filter_map(|line| line.parse().ok());
+    let mut values: Vec<Value> = numbers.map(|number| Value::of_real(ty, number)).collect();
     values.extend(tiny(ty).iter().map(|&raw| Value::plain(ty, raw)));
     values
 }

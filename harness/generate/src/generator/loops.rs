@@ -2,10 +2,10 @@
 
 use super::builder::ProgramBuilder;
 use super::places::{assign, integer, whole};
-use super::scope::{PathStep, VisiblePlace};
+use super::scope::VisiblePlace;
 use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ForLoop, LiteralForm, StandardFunction, Statement, Type, VariableId,
+    BinaryOperator, Expression, ForLoop, LiteralForm, PathStep, StandardFunction, Statement, Type, VariableId,
 };
 use stickler_types::ElementaryType;
 

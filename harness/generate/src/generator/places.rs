@@ -1,10 +1,10 @@
 //! Reads and writes of variables and their parts.
 
 use super::builder::ProgramBuilder;
-use super::scope::{PathStep, VisiblePlace, contains_text};
+use super::scope::{VisiblePlace, contains_text};
 use crate::model::{
-    AssignmentTarget, Expression, LiteralForm, Place, PlaceSelector, StandardFunction, Statement, Type,
-    VariableId,
+    AssignmentTarget, Expression, LiteralForm, PathStep, Place, PlaceSelector, StandardFunction, Statement,
+    Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 

@@ -2,8 +2,7 @@
 
 use super::literals;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Program, Type, Unit, Variable, VariableId, VariableSection,
-    visit,
+    Expression, ExpressionKind, PathStep, Program, Type, Variable, VariableId, VariableSection, visit,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -46,14 +45,6 @@ pub(super) struct HeldValue {
     pub variable: VariableId,
     pub ty: ElementaryType,
     pub value: Value,
-}
-
-/// A step into a variable, before its subscripts are chosen.
-#[derive(Clone, Debug)]
-pub(super) enum PathStep {
-    Index(Vec<(i64, i64)>),
-    Field(usize),
-    Output(VariableId),
 }
 
 impl Default for PouScope {
@@ -140,37 +131,17 @@ impl PouScope {
 
     /// Records a place and all its parts.
     fn see(&mut self, place: VisiblePlace, program: &Program) {
-        let ty = program.unaliased(&place.ty).clone();
-        let part = |step: PathStep, ty: &Type| {
-            let mut path = place.path.clone();
-            path.push(step);
-            VisiblePlace {
-                path,
+        for (step, ty) in program.parts(&place.ty) {
+            let writable = place.writable && !matches!(step, PathStep::Output(_));
+            let part = VisiblePlace {
+                path: [&place.path[..], &[step]].concat(),
                 ty: ty.clone(),
+                writable,
                 ..place.clone()
-            }
-        };
-        match &ty {
-            Type::Array(array) => self.see(
-                part(PathStep::Index(array.dimensions.clone()), &array.element),
-                program,
-            ),
-            Type::Declared(_) => {
-                for (field, (_, ty, _)) in program.fields(&ty).unwrap_or_default().iter().enumerate() {
-                    self.see(part(PathStep::Field(field), ty), program);
-                }
-            }
-            Type::Block(block) => {
-                for (number, output) in Unit::Block(*block).variables(program).iter().enumerate() {
-                    if output.section == VariableSection::Output {
-                        let mut seen = part(PathStep::Output(VariableId(number)), &output.ty);
-                        seen.writable = false;
-                        self.see(seen, program);
-                    }
-                }
-            }
-            Type::Elementary(_) => {}
+            };
+            self.see(part, program);
         }
+        let ty = program.unaliased(&place.ty).clone();
         // An array type without a name is a type of its own, so no other array can be assigned as a whole.
         let named = !matches!(place.ty, Type::Array(_) | Type::Block(_));
         if named {
@@ -194,16 +165,12 @@ impl PouScope {
 
 /// Returns whether a type is a text or contains one.
 pub(super) fn contains_text(ty: &Type, program: &Program) -> bool {
-    match ty {
+    match program.unaliased(ty) {
         Type::Elementary(ty) => ty.is_text(),
-        Type::Array(array) => contains_text(&array.element, program),
         Type::Block(_) => false,
-        Type::Declared(declared) => match program.types.get(*declared).map(|declaration| &declaration.kind) {
-            Some(DeclaredKind::Structure(fields)) => {
-                fields.iter().any(|(_, ty, _)| contains_text(ty, program))
-            }
-            Some(DeclaredKind::Alias(ty)) => contains_text(ty, program),
-            _ => false,
-        },
+        ty => {
+            let parts = program.parts(ty);
+            parts.iter().any(|(_, part)| contains_text(part, program))
+        }
     }
 }

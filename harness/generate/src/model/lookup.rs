@@ -53,6 +53,29 @@ impl Program {
         }
     }
 
+    /// Returns the parts that a type directly consists of, each with its type: the elements of an array at once, the fields of a structure,
+    /// or the outputs of a function block, which alone every compiler lets its environment read.
+    #[must_use]
+    pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t Type)> {
+        match self.unaliased(ty) {
+            Type::Elementary(_) => Vec::new(),
+            Type::Array(array) => vec![(PathStep::Index(array.dimensions.clone()), &array.element)],
+            ty @ Type::Declared(_) => {
+                let fields = self.fields(ty).unwrap_or_default().iter().enumerate();
+                fields
+                    .map(|(field, (_, ty, _))| (PathStep::Field(field), ty))
+                    .collect()
+            }
+            Type::Block(block) => {
+                let variables = Unit::Block(*block).variables(self).iter().enumerate();
+                let outputs = variables.filter(|(_, variable)| variable.section == VariableSection::Output);
+                outputs
+                    .map(|(number, output)| (PathStep::Output(VariableId(number)), &output.ty))
+                    .collect()
+            }
+        }
+    }
+
     /// Returns the path and the type of each elementary value in the variables of main, checksums included, in the order of
     /// the declarations. In arrays the last subscript varies fastest; there are no blanks in `a[1,2]`.
     ///
@@ -60,37 +83,70 @@ impl Program {
     /// are omitted because they have no elementary type; they enter the checksum.
     #[must_use]
     pub fn observed(&self) -> Vec<(String, ElementaryType)> {
+        let parts = self.observed_parts().into_iter();
+        parts.map(|part| (part.path, part.ty)).collect()
+    }
+
+    /// Returns the parts of the variables of main that [`Program::observed`] names.
+    pub(crate) fn observed_parts(&self) -> Vec<ObservedPart> {
         let mut found = Vec::new();
-        for variable in &self.main.variables {
-            self.observe(&variable.name, &variable.ty, &mut found);
+        for (number, variable) in self.main.variables.iter().enumerate() {
+            self.observe((&variable.name, &[number]), &variable.ty, &mut found);
         }
         found
     }
 
-    fn observe(&self, path: &str, ty: &Type, found: &mut Vec<(String, ElementaryType)>) {
+    fn observe(&self, (path, numbers): (&str, &[usize]), ty: &Type, found: &mut Vec<ObservedPart>) {
+        let mut inside = |name: String, number: usize, ty: &Type| {
+            let numbers = [numbers, &[number]].concat();
+            self.observe((&format!("{path}{name}"), &numbers), ty, found);
+        };
         match self.unaliased(ty) {
-            Type::Elementary(ty) => found.push((path.to_owned(), *ty)),
+            Type::Elementary(ty) => found.push(ObservedPart {
+                path: path.to_owned(),
+                ty: *ty,
+                numbers: numbers.to_vec(),
+            }),
             Type::Array(array) => {
-                for subscripts in subscripts(array) {
-                    self.observe(&format!("{path}[{}]", joined(&subscripts)), &array.element, found);
+                for (number, subscripts) in subscripts(array).iter().enumerate() {
+                    inside(format!("[{}]", joined(subscripts)), number, &array.element);
                 }
             }
             Type::Declared(_) => {
-                for (name, field, _) in self.fields(ty).unwrap_or_default() {
-                    self.observe(&format!("{path}.{name}"), field, found);
+                for (number, (name, field, _)) in self.fields(ty).unwrap_or_default().iter().enumerate() {
+                    inside(format!(".{name}"), number, field);
                 }
             }
             Type::Block(block) => {
-                let variables = self.blocks.get(*block).map_or(&[][..], |block| &block.variables);
-                for output in variables
-                    .iter()
-                    .filter(|variable| variable.section == VariableSection::Output)
-                {
-                    self.observe(&format!("{path}.{}", output.name), &output.ty, found);
+                for (number, output) in Unit::Block(*block).variables(self).iter().enumerate() {
+                    if output.section == VariableSection::Output {
+                        inside(format!(".{}", output.name), number, &output.ty);
+                    }
                 }
             }
         }
     }
+}
+
+/// A step from a variable to a part of it, before its subscripts are chosen.
+#[derive(Clone, PartialEq, Debug)]
+pub enum PathStep {
+    /// To the elements of an array, by the limits of its dimensions.
+    Index(Vec<(i64, i64)>),
+    /// To a field of a structure.
+    Field(usize),
+    /// To an output of a function block instance.
+    Output(VariableId),
+}
+
+/// An elementary value in a variable of main.
+pub(crate) struct ObservedPart {
+    /// The variable with its fields, subscripts and outputs, as [`Program::observed`] writes them.
+    pub path: String,
+    /// The type of the value.
+    pub ty: ElementaryType,
+    /// The number of the variable, then that of the field, element or output, and so on.
+    pub numbers: Vec<usize>,
 }
 
 impl Pou {

@@ -1,6 +1,7 @@
 //! Operands for conversions: any value of a type, more often boundary values.
 
 use arbitrary::{Result, Unstructured};
+use std::sync::LazyLock;
 use stickler_types::{ElementaryType, Family, Value};
 
 /// One day in nanoseconds.
@@ -73,32 +74,8 @@ fn real(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<u64> {
 const MAX_TEXT_LEN: usize = 60;
 
 /// Pieces of texts that stand for values.
-const PIECES: [&str; 24] = [
-    "0",
-    "1",
-    "9",
-    "12",
-    "128",
-    "65536",
-    "-",
-    "+",
-    ".",
-    "E",
-    "e-5",
-    " ",
-    "16#",
-    "2#",
-    "8#",
-    "FF",
-    "TRUE",
-    "FALSE",
-    "T#",
-    "1d",
-    "2h",
-    "2024-02-29",
-    "12:34:56",
-    "_",
-];
+static PIECES: LazyLock<Vec<String>> =
+    LazyLock::new(|| serde_json::from_str(include_str!("pieces.json")).unwrap_or_default());
 
 fn text(ty: ElementaryType, input: &mut Unstructured<'_>) -> Result<Vec<u16>> {
     let mut units: Vec<u16> = Vec::new();

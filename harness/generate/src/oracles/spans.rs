@@ -3,10 +3,10 @@
 use stickler_syntax::names::{declared, used};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    Argument, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou, SourceUnit,
-    Statement, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    Argument, ExpressionKind, Initializer, InitializerKind, Name, Pou, SourceUnit, Statement,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
 };
-use stickler_syntax::visitor::{Context, Place, Visitor, operands, walk};
+use stickler_syntax::visitor::{Context, Part, Visitor, operands, walk};
 
 /// Checks the spans of `unit`, the tree of `text`.
 ///
@@ -136,16 +136,12 @@ impl<'t, 's: 't> Visitor<'t, 's> for SpanChecker<'_> {
         self.node("a statement", statement.span, at.outer);
     }
 
-    fn expression(
-        &mut self,
-        (_, expression): (ExpressionId, &'t Expression<'s>),
-        _: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'t, 's>,
-    ) {
-        let outer = around
-            .and_then(|around| at.unit.expression(around))
-            .map(|around| around.span);
+    fn expression(&mut self, part: Part<'t, 's>, at: &Context<'t, 's>) {
+        let Part {
+            expression, around, ..
+        } = part;
+        let outer = around.and_then(|around| at.unit.expression(around));
+        let outer = outer.map(|around| around.span);
         self.node("an expression", expression.span, outer.or(at.outer));
         let span = Some(expression.span);
         match &expression.kind {

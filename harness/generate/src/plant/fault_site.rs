@@ -54,17 +54,13 @@ impl<'p, 'd> FaultSite<'p, 'd> {
     ) -> Option<(usize, ExpressionSite, Expression)> {
         let mut found = Vec::new();
         let mut number = 0;
-        let original = self.original;
-        walk::expressions(original, &mut self.program, &mut |site, expression| {
+        walk::expressions(self.original, &mut self.program, &mut |site, expression| {
             if eligible(site, expression) {
-                found.push((number, site));
+                found.push((number, site, expression.clone()));
             }
             number += 1;
         });
-        let (number, site) = self.choose(found)?;
-        let mut chosen = None;
-        self.change(number, |expression| chosen = Some(expression.clone()));
-        chosen.map(|expression| (number, site, expression))
+        self.choose(found)
     }
 
     /// Changes the expression with a number.

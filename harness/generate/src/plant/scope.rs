@@ -2,8 +2,8 @@
 
 use crate::model::visit::bodies;
 use crate::model::{
-    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program,
-    StandardFunction, Statement, Type, Unit, VariableId, VariableSection,
+    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, PathStep, Place, PlaceSelector,
+    Program, StandardFunction, Statement, Type, Unit, VariableId, VariableSection,
 };
 use stickler_types::{Dialect, DialectName, ElementaryType, Value};
 
@@ -126,29 +126,21 @@ pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
 }
 
 fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedPlace>) {
-    let mut step = |selector: PlaceSelector, ty: &Type, writable: bool| {
-        let mut path = place.path.clone();
-        path.push(selector);
+    for (step, ty) in program.parts(&place.ty) {
+        let writable = writable && !matches!(step, PathStep::Output(_));
+        let selector = match step {
+            PathStep::Index(limits) => {
+                PlaceSelector::Index(limits.iter().map(|&(low, _)| integer(low)).collect())
+            }
+            PathStep::Field(field) => PlaceSelector::Field(field),
+            PathStep::Output(output) => PlaceSelector::Output(output),
+        };
         let part = Place {
             variable: place.variable,
-            path,
+            path: [&place.path[..], &[selector]].concat(),
             ty: ty.clone(),
         };
         parts(program, part, writable, found);
-    };
-    if let Some((element, limits)) = element_and_limits(program, &place.ty) {
-        let lowest = limits.iter().map(|&(low, _)| integer(low)).collect();
-        step(PlaceSelector::Index(lowest), element, writable);
-    } else if let Some(fields) = program.fields(&place.ty) {
-        for (number, (_, ty, _)) in fields.iter().enumerate() {
-            step(PlaceSelector::Field(number), ty, writable);
-        }
-    } else if let Type::Block(block) = place.ty {
-        for (number, output) in Unit::Block(block).variables(program).iter().enumerate() {
-            if output.section == VariableSection::Output {
-                step(PlaceSelector::Output(VariableId(number)), &output.ty, false);
-            }
-        }
     }
     found.push(NamedPlace { place, writable });
 }

@@ -1,12 +1,15 @@
 //! The places of a program where an error can be planted: every expression with its context, and every list of statements.
 
 use super::scope::{element_and_limits, written};
-use crate::model::visit_mut::{bodies, initial_values};
-use crate::model::{
-    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
-    Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit, Variable,
-    VariableId, VariableSection,
+use crate::model::visit_mut::{
+    VisitorMut, bodies, walk_declaration, walk_expression, walk_place, walk_statement, walk_variable,
 };
+use crate::model::{
+    Argument, AssignmentTarget, BinaryOperator, CaseLabel, Expression, ExpressionKind, Place, PlaceSelector,
+    Program, StandardFunction, Statement, Type, TypeDeclaration, UnaryOperator, Unit, Variable, VariableId,
+    VariableSection,
+};
+use std::collections::VecDeque;
 use stickler_types::ElementaryType;
 
 /// The context in which an expression stands.
@@ -88,19 +91,18 @@ pub(super) fn expressions(
     let mut walker = SiteWalker {
         program: original,
         unit: Unit::Types,
+        contexts: VecDeque::new(),
         visit,
     };
     for declaration in &mut copy.types {
-        if let DeclaredKind::Structure(fields) = &mut declaration.kind {
-            for default in fields.iter_mut().filter_map(|(_, _, default)| default.as_mut()) {
-                walker.expression(default, ExpressionContext::Initial);
-            }
-        }
+        walker.declaration(declaration);
     }
     for unit in Unit::all(copy) {
         if let Some(pou) = unit.pou_mut(copy) {
             walker.unit = unit;
-            walker.initial_values(&mut pou.variables);
+            for variable in &mut pou.variables {
+                walker.variable(variable);
+            }
             walker.statements(&mut pou.body);
         }
     }
@@ -134,184 +136,143 @@ fn list(
 struct SiteWalker<'p, 'v> {
     program: &'p Program,
     unit: Unit,
+    /// The contexts of the expressions that are visited next, in their order; that of an initial value where there are none.
+    contexts: VecDeque<ExpressionContext>,
     visit: &'v mut dyn FnMut(ExpressionSite, &mut Expression),
 }
 
 impl<'p> SiteWalker<'p, '_> {
-    fn variable(&self, id: VariableId) -> Option<&'p Variable> {
+    /// Visits the operands of an expression; of an implicit conversion those of its operand.
+    fn inside(&mut self, expression: &mut Expression) {
+        if let ExpressionKind::Widen(operand) = &mut expression.kind {
+            return self.inside(operand);
+        }
+        self.within(of_operands(expression), |walker| {
+            walk_expression(walker, expression)
+        });
+    }
+
+    fn variable_of(&self, id: VariableId) -> Option<&'p Variable> {
         self.unit.variables(self.program).get(id.0)
     }
 
-    fn initial_values(&mut self, variables: &mut [Variable]) {
-        for initial in variables
-            .iter_mut()
-            .filter_map(|variable| variable.initial.as_mut())
-        {
-            for value in initial_values(initial) {
-                self.expression(value, ExpressionContext::Initial);
+    /// Visits the parts of something whose own expressions have these contexts.
+    fn within(&mut self, contexts: Vec<ExpressionContext>, walk: impl FnOnce(&mut Self)) {
+        let outer = std::mem::replace(&mut self.contexts, contexts.into());
+        walk(self);
+        self.contexts = outer;
+    }
+
+    /// Returns the contexts of the expressions that a statement directly consists of.
+    fn of_statement(&self, statement: &Statement) -> Vec<ExpressionContext> {
+        use ExpressionContext as C;
+        match statement {
+            Statement::Assign(AssignmentTarget::Result, _) => vec![C::Result],
+            Statement::Assign(..) => vec![C::Assigned],
+            Statement::If(branches, _) => {
+                let others = branches.iter().skip(1).map(|_| C::ElsIf);
+                [C::If].into_iter().chain(others).collect()
             }
+            Statement::Case(_, branches, _) => {
+                let labels = branches.iter().flat_map(|branch| &branch.labels);
+                let values = labels.map(|label| match label {
+                    CaseLabel::One(_) => 1,
+                    CaseLabel::Range(..) => 2,
+                });
+                let labels = std::iter::repeat_n(C::Label, values.sum());
+                [C::Selector].into_iter().chain(labels).collect()
+            }
+            Statement::For(_) => vec![C::Bound, C::Bound, C::Step],
+            Statement::While(..) => vec![C::While],
+            Statement::Repeat(..) => vec![C::Until],
+            Statement::Invoke { instance, inputs, .. } => {
+                let inputs = inputs.iter().map(|input| self.of_input(*instance, input));
+                inputs.collect()
+            }
+            Statement::Exit | Statement::Return | Statement::Raw(_) => Vec::new(),
         }
     }
 
-    fn statements(&mut self, statements: &mut [Statement]) {
-        for statement in statements {
-            self.statement(statement);
+    fn of_input(&self, instance: VariableId, input: &Argument) -> ExpressionContext {
+        let parameters = match self.variable_of(instance).map(|instance| &instance.ty) {
+            Some(Type::Block(block)) => Unit::Block(*block).variables(self.program),
+            _ => &[],
+        };
+        let parameter = parameters.get(input.parameter.0);
+        match parameter.map(|parameter| parameter.section) {
+            Some(VariableSection::InOut) => ExpressionContext::InOut,
+            _ => ExpressionContext::Input,
         }
+    }
+}
+
+impl VisitorMut for SiteWalker<'_, '_> {
+    fn declaration(&mut self, declaration: &mut TypeDeclaration) {
+        self.within(Vec::new(), |walker| walk_declaration(walker, declaration));
+    }
+
+    fn variable(&mut self, variable: &mut Variable) {
+        self.within(Vec::new(), |walker| walk_variable(walker, variable));
     }
 
     fn statement(&mut self, statement: &mut Statement) {
-        match statement {
-            Statement::Assign(target, value) => {
-                let context = match target {
-                    AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => {
-                        self.place(place);
-                        ExpressionContext::Assigned
-                    }
-                    AssignmentTarget::Result => ExpressionContext::Result,
-                };
-                self.expression(value, context);
-            }
-            Statement::If(branches, otherwise) => {
-                for (number, (condition, body)) in branches.iter_mut().enumerate() {
-                    let is_first = number == 0;
-                    let context = if is_first {
-                        ExpressionContext::If
-                    } else {
-                        ExpressionContext::ElsIf
-                    };
-                    self.expression(condition, context);
-                    self.statements(body);
-                }
-                self.statements(otherwise.as_deref_mut().unwrap_or_default());
-            }
-            Statement::Case(selector, branches, otherwise) => {
-                self.expression(selector, ExpressionContext::Selector);
-                for branch in branches {
-                    for label in &mut branch.labels {
-                        self.label(label);
-                    }
-                    self.statements(&mut branch.body);
-                }
-                self.statements(otherwise.as_deref_mut().unwrap_or_default());
-            }
-            Statement::For(ForLoop {
-                from, to, by, body, ..
-            }) => {
-                self.expression(from, ExpressionContext::Bound);
-                self.expression(to, ExpressionContext::Bound);
-                if let Some(by) = by {
-                    self.expression(by, ExpressionContext::Step);
-                }
-                self.statements(body);
-            }
-            Statement::While(condition, body) => {
-                self.expression(condition, ExpressionContext::While);
-                self.statements(body);
-            }
-            Statement::Repeat(body, condition) => {
-                self.statements(body);
-                self.expression(condition, ExpressionContext::Until);
-            }
-            Statement::Invoke {
-                instance,
-                inputs,
-                outputs,
-            } => {
-                for input in inputs {
-                    self.input(*instance, input);
-                }
-                for (_, place) in outputs {
-                    self.place(place);
-                }
-            }
-            Statement::Exit | Statement::Return | Statement::Raw(_) => {}
-        }
-    }
-
-    fn label(&mut self, label: &mut CaseLabel) {
-        match label {
-            CaseLabel::One(value) => self.expression(value, ExpressionContext::Label),
-            CaseLabel::Range(low, high) => {
-                self.expression(low, ExpressionContext::Label);
-                self.expression(high, ExpressionContext::Label);
-            }
-        }
-    }
-
-    fn input(&mut self, instance: VariableId, input: &mut Argument) {
-        let parameters = self
-            .variable(instance)
-            .map_or(&[][..], |instance| match instance.ty {
-                Type::Block(block) => Unit::Block(block).variables(self.program),
-                _ => &[],
-            });
-        let context = match parameters
-            .get(input.parameter.0)
-            .map(|parameter| parameter.section)
-        {
-            Some(VariableSection::InOut) => ExpressionContext::InOut,
-            _ => ExpressionContext::Input,
-        };
-        self.expression(&mut input.value, context);
+        let contexts = self.of_statement(statement);
+        self.within(contexts, |walker| walk_statement(walker, statement));
     }
 
     fn place(&mut self, place: &mut Place) {
-        let mut within = self.variable(place.variable).map(|variable| &variable.ty);
-        for selector in &mut place.path {
+        let mut within = self.variable_of(place.variable).map(|variable| &variable.ty);
+        let mut contexts = Vec::new();
+        for selector in &place.path {
             if let PlaceSelector::Index(subscripts) = selector {
                 let limits = within.and_then(|ty| element_and_limits(self.program, ty));
-                for (number, subscript) in subscripts.iter_mut().enumerate() {
+                contexts.extend((0..subscripts.len()).map(|number| {
                     // Only an ill-formed program subscripts something without limits.
                     let limits = limits.and_then(|(_, limits)| limits.get(number));
                     let &(low, high) = limits.unwrap_or(&(0, 0));
-                    self.expression(subscript, ExpressionContext::Subscript(low, high));
-                }
+                    ExpressionContext::Subscript(low, high)
+                }));
             }
             within = within.and_then(|ty| self.program.selected_type(ty, selector));
         }
+        self.within(contexts, |walker| walk_place(walker, place));
     }
 
-    fn expression(&mut self, expression: &mut Expression, context: ExpressionContext) {
+    fn literal(&mut self, literal: &mut Expression) {
+        self.expression(literal);
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        let context = self.contexts.pop_front();
         let site = ExpressionSite {
             unit: self.unit,
-            context,
+            context: context.unwrap_or(ExpressionContext::Initial),
         };
         (self.visit)(site, expression);
         self.inside(expression);
     }
+}
 
-    /// Visits the operands of an expression.
-    fn inside(&mut self, expression: &mut Expression) {
-        match &mut expression.kind {
-            ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place),
-            ExpressionKind::Unary(operator, operand) => {
-                self.expression(operand, ExpressionContext::UnaryOperand(*operator));
+/// Returns the contexts of the operands or arguments of an expression.
+fn of_operands(expression: &Expression) -> Vec<ExpressionContext> {
+    use ExpressionContext as C;
+    match &expression.kind {
+        ExpressionKind::Unary(operator, _) => vec![C::UnaryOperand(*operator)],
+        ExpressionKind::Binary(operator, left, right) => [right, left]
+            .map(|other| C::Operand(*operator, written(other)))
+            .to_vec(),
+        ExpressionKind::Convert(signature, _) => {
+            let is_named = |from| signature.function == format!("{from}_TO_{}", signature.result);
+            match signature.operands.first().is_some_and(is_named) {
+                true => vec![C::Converted],
+                false => vec![C::Overloaded],
             }
-            ExpressionKind::Binary(operator, left, right) => {
-                let (of_left, of_right) = (written(left), written(right));
-                self.expression(left, ExpressionContext::Operand(*operator, of_right));
-                self.expression(right, ExpressionContext::Operand(*operator, of_left));
-            }
-            ExpressionKind::Widen(operand) => self.inside(operand),
-            ExpressionKind::Convert(signature, operand) => {
-                let is_named = |from| signature.function == format!("{from}_TO_{}", signature.result);
-                let context = match signature.operands.first().is_some_and(is_named) {
-                    true => ExpressionContext::Converted,
-                    false => ExpressionContext::Overloaded,
-                };
-                self.expression(operand, context);
-            }
-            ExpressionKind::Call(_, arguments) => {
-                for argument in arguments {
-                    self.expression(&mut argument.value, ExpressionContext::Argument);
-                }
-            }
-            ExpressionKind::Standard(function, arguments) => {
-                for (number, argument) in arguments.iter_mut().enumerate() {
-                    self.expression(argument, ExpressionContext::Standard(*function, number));
-                }
-            }
-            ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}
         }
+        ExpressionKind::Call(_, arguments) => vec![C::Argument; arguments.len()],
+        ExpressionKind::Standard(function, arguments) => {
+            let numbers = 0..arguments.len();
+            numbers.map(|number| C::Standard(*function, number)).collect()
+        }
+        _ => Vec::new(),
     }
 }

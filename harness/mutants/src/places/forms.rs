@@ -1,26 +1,36 @@
 //! The forms of expressions: the source and the target of `places.toml` that each is by itself.
 
-use super::names::{DerivedForm, SectionVariable, SourceNames, Variables};
-use stickler_syntax::tree::{ExpressionId, ExpressionKind, SourceUnit, UnaryOperator, VariableKind};
+use super::names::SourceNames;
+use stickler_syntax::names::DeclaredName;
+use stickler_syntax::tree::{
+    ExpressionId, ExpressionKind, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
+    UnaryOperator, VariableBlock, VariableKind,
+};
 
 /// The forms of the expressions of a program organization unit.
 pub(super) struct Forms<'w, 'u> {
     pub(super) unit: &'u SourceUnit<'u>,
     pub(super) names: &'w SourceNames<'u>,
-    /// The variables of the unit around; none outside of all units.
-    pub(super) variables: Variables<'u>,
+    /// The unit around; `None` outside of all units.
+    pub(super) pou: Option<&'u Pou<'u>>,
 }
 
-impl Forms<'_, '_> {
+impl<'u> Forms<'_, 'u> {
     /// Returns whether an expression names an instance of a function block.
     pub(super) fn is_instance(&self, id: ExpressionId) -> bool {
         match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Name(name) => self
-                .names
-                .variable(&self.variables, name.text)
-                .is_some_and(|variable| self.names.is_instance(variable)),
+            ExpressionKind::Name(name) => {
+                let declared = self.variable(name.text);
+                declared.is_some_and(|(_, specification)| self.names.is_block(specification))
+            }
             _ => false,
         }
+    }
+
+    /// Returns the section and the type of a variable.
+    fn variable(&self, name: &str) -> Option<(&'u VariableBlock<'u>, &'u TypeSpecification<'u>)> {
+        let &DeclaredName { section, group, .. } = self.names.variable(self.pou, name)?;
+        Some((section?, &group?.specification))
     }
 
     /// Returns what a bit is selected of; `None` where an expression selects none.
@@ -57,12 +67,13 @@ impl Forms<'_, '_> {
             },
             ExpressionKind::Bit { .. } => "bit",
             ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text)?;
-                section(variable.kind).unwrap_or(match variable {
-                    SectionVariable { located: true, .. } => "located",
-                    SectionVariable { constant: true, .. } => "constant",
-                    SectionVariable { retained: true, .. } => "retained",
-                    _ => self.derived(variable).unwrap_or("variable"),
+                let (block, specification) = self.variable(name.text)?;
+                let is_retained = |word: &str| word.eq_ignore_ascii_case("RETAIN");
+                section(block.kind).unwrap_or(match block.retention {
+                    _ if self.is_located(name.text) => "located",
+                    _ if block.constant => "constant",
+                    Some(word) if is_retained(word) => "retained",
+                    _ => self.names.derived(specification).unwrap_or("variable"),
                 })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-output",
@@ -74,12 +85,18 @@ impl Forms<'_, '_> {
     pub(super) fn target(&self, id: ExpressionId) -> Option<&'static str> {
         let id = self.selected_of(id).unwrap_or(id);
         Some(match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Name(name) if self.variables.is_result(name.text) => "result",
+            ExpressionKind::Name(name)
+                if self
+                    .pou
+                    .is_some_and(|pou| pou.kind == PouKind::Function && pou.name.is(name.text)) =>
+            {
+                "result"
+            }
             ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text)?;
-                section(variable.kind).unwrap_or(match variable.located {
+                let (block, specification) = self.variable(name.text)?;
+                section(block.kind).unwrap_or(match self.is_located(name.text) {
                     true => "located",
-                    false => self.derived(variable).unwrap_or("assignment"),
+                    false => self.names.derived(specification).unwrap_or("assignment"),
                 })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
@@ -105,9 +122,12 @@ impl Forms<'_, '_> {
         };
         match &self.unit.expressions[base.0 as usize].kind {
             ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text);
-                let derived = variable.is_some_and(|variable| self.names.has_derived_elements(variable));
-                let in_out = variable.is_some_and(|variable| variable.kind == VariableKind::InOut);
+                let variable = self.variable(name.text);
+                let derived = variable.is_some_and(|(_, specification)| match &specification.kind {
+                    TypeSpecificationKind::Array { element, .. } => self.names.derived(element).is_some(),
+                    _ => false,
+                });
+                let in_out = variable.is_some_and(|(block, _)| block.kind == VariableKind::InOut);
                 Some(match place {
                     _ if derived => "alias-element",
                     "field" if in_out => "field-of-in-out",
@@ -125,12 +145,10 @@ impl Forms<'_, '_> {
         matches!(self.unit.expressions[id.0 as usize].kind, ExpressionKind::Name(_))
     }
 
-    /// Returns the place of a variable of a user-defined type, which is both a source and a target; `None` for other variables.
-    fn derived(&self, variable: SectionVariable<'_>) -> Option<&'static str> {
-        self.names.form_of(variable).map(|form| match form {
-            DerivedForm::Alias => "alias",
-            DerivedForm::Subrange => "subrange",
-        })
+    /// Returns whether a variable is directly represented: `x AT %MW5 : INT;`.
+    fn is_located(&self, name: &str) -> bool {
+        let declared = self.names.variable(self.pou, name).and_then(|one| one.group);
+        declared.is_some_and(|group| group.location.is_some())
     }
 }
 

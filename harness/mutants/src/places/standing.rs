@@ -2,14 +2,14 @@
 
 use super::claim::Direction;
 use super::forms::Forms;
-use super::names::{SourceNames, Variables};
+use super::names::SourceNames;
 use rustc_hash::FxHashMap;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    BinaryOperator, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind,
-    SourceUnit, Statement, StatementKind, TypeDeclaration, VariableBlock, VariableGroup, VariableKind,
+    BinaryOperator, ExpressionId, ExpressionKind, Initializer, InitializerKind, PouKind, SourceUnit,
+    Statement, StatementKind, TypeDeclaration, VariableGroup, VariableKind,
 };
-use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
+use stickler_syntax::visitor::{Context, Part, Place, Visitor, bodies, walk};
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -56,7 +56,7 @@ impl Standings {
             forms: Forms {
                 unit,
                 names: &names,
-                variables: Variables::default(),
+                pou: None,
             },
             lines,
             found: vec![None; unit.expressions.len()],
@@ -93,19 +93,8 @@ struct PlaceOfStatement {
 }
 
 impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
-    fn pou(&mut self, pou: &'u Pou<'u>, _: &Context<'u, 'u>) {
-        self.forms.variables = Variables::new(pou);
-    }
-
     fn type_declaration(&mut self, declared: &'u TypeDeclaration<'u>, _: &Context<'u, 'u>) {
-        self.forms.variables = Variables::default();
         self.initial(declared.initializer.as_ref(), "type-initial-value");
-    }
-
-    fn section(&mut self, _: &'u VariableBlock<'u>, at: &Context<'u, 'u>) {
-        if at.pou.is_none() {
-            self.forms.variables = Variables::default();
-        }
     }
 
     fn variables(&mut self, group: &'u VariableGroup<'u>, at: &Context<'u, 'u>) {
@@ -168,18 +157,14 @@ impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
         self.statements.extend(found);
     }
 
-    fn expression(
-        &mut self,
-        (id, _): (ExpressionId, &'u Expression<'u>),
-        place: Place,
-        around: Option<ExpressionId>,
-        at: &Context<'u, 'u>,
-    ) {
-        let place = match around {
+    fn expression(&mut self, part: Part<'u, 'u>, at: &Context<'u, 'u>) {
+        let id = part.id;
+        self.forms.pou = at.pou;
+        let place = match part.around {
             Some(around) => {
-                self.found[around.0 as usize].and_then(|outer| self.part(place, (around, outer), at))
+                self.found[around.0 as usize].and_then(|outer| self.part(part.place, (around, outer), at))
             }
-            None => self.whole(id, place, at),
+            None => self.whole(id, part.place, at),
         };
         self.found[id.0 as usize] = place.map(|place| match place.written && place.call.is_none() {
             // The source is that of the value.

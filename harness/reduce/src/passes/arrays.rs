@@ -44,11 +44,11 @@ pub(crate) fn unwrap_structures(view: &TextView<'_>) -> Vec<Edits> {
                 let mut names = element.names.iter();
                 names.any(|name| name.text.eq_ignore_ascii_case(field.text))
             };
-            let with_field = uses.iter().filter_map(|used| match &used.around?.kind {
+            let with_field = uses.iter().filter_map(|used| match &view.around(used)?.kind {
                 ExpressionKind::Field { base, field }
                     if is_element(field) && view.unit.expression(*base)?.span == used.expression.span =>
                 {
-                    Some((used.expression, used.around?))
+                    Some((used.expression, view.around(used)?))
                 }
                 _ => None,
             });
@@ -115,11 +115,11 @@ fn uses<'t>(
     group: &VariableGroup<'_>,
 ) -> Vec<(&'t Expression<'t>, &'t [ExpressionId], &'t Expression<'t>)> {
     let uses = group.names.iter().flat_map(|name| view.uses(pou, *name));
-    let with_subscripts = uses.filter_map(|used| match &used.around?.kind {
+    let with_subscripts = uses.filter_map(|used| match &view.around(&used)?.kind {
         ExpressionKind::Index { base, subscripts }
             if view.unit.expression(*base)?.span == used.expression.span =>
         {
-            Some((used.expression, subscripts.as_slice(), used.around?))
+            Some((used.expression, subscripts.as_slice(), view.around(&used)?))
         }
         _ => None,
     });

@@ -2,7 +2,6 @@
 
 use crate::TextView;
 use crate::passes::parameters::{argument, calls, parameters};
-use crate::view::NameUse;
 use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
@@ -10,7 +9,7 @@ use stickler_syntax::tree::{
     Declaration, Expression, ExpressionKind, InitializerKind, Name, Pou, PouKind, Statement, StatementKind,
     TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
-use stickler_syntax::visitor::Place;
+use stickler_syntax::visitor::{Part, Place};
 
 /// The type of the result of a function whose result does not matter.
 const PLAIN_RESULT: &str = "INT";
@@ -134,7 +133,7 @@ pub(crate) fn plain_results(view: &TextView<'_>) -> Vec<Edits> {
                 _ => return None,
             }
         }
-        let is_call = |used: &NameUse<'_>| match used.statement.map(|statement| &statement.kind) {
+        let is_call = |used: &Part<'_, '_>| match used.statement.map(|statement| &statement.kind) {
             Some(StatementKind::Assignment { value, .. }) if used.place == Place::Target => {
                 let value = view.unit.expression(*value).map(|value| &value.kind);
                 matches!(value, Some(ExpressionKind::Call { callee, .. })

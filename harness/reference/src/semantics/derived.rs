@@ -50,6 +50,9 @@ impl<'m> Lowering<'m> {
         match self.expression(self.model.source.bare(id)).kind {
             ExpressionKind::Name(name) => Some(self.variable(name.text)?.1.ty),
             ExpressionKind::Field { base, field } => {
+                if let Some(variable) = self.own_in_out(base, field) {
+                    return Some(variable.ty);
+                }
                 let ty = self.known_type(base)?;
                 let member = self.member_of(base, ty, field.text)?;
                 Some(member.ty)

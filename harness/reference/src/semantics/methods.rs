@@ -11,11 +11,13 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
-use super::model::{Member, PouEntry};
+use super::model::{DeclaredVariable, Member, PouEntry};
 use super::types::TypeId;
 use crate::instruction::{Instruction, MachineProgram};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Access, ExpressionId, ExpressionKind, PouKind, VariableKind, own_instance};
+use stickler_syntax::tree::{
+    Access, ExpressionId, ExpressionKind, Name, PouKind, VariableKind, own_instance,
+};
 use stickler_types::Code;
 
 /// The instance whose code is running, by THIS or SUPER.
@@ -80,6 +82,13 @@ impl<'m> Lowering<'m> {
         let base = self.model.pous[own as usize].base;
         let pou = if is_super { base? } else { own };
         Some(OwnInstance { pou, is_super })
+    }
+
+    /// Returns the VAR_IN_OUT that `THIS^.name` or `SUPER^.name` names.
+    pub(super) fn own_in_out(&self, base: ExpressionId, field: Name<'_>) -> Option<&'m DeclaredVariable<'m>> {
+        let own = self.own_instance_of(base)?;
+        let index = self.local(&self.model.pous[own.pou as usize], field.text)?;
+        Some(self.model.variable(index)).filter(|variable| variable.kind == VariableKind::InOut)
     }
 
     /// The place of the instance whose code is running.

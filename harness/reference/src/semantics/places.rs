@@ -95,6 +95,9 @@ impl<'m> Lowering<'m> {
     }
 
     fn field(&mut self, base: ExpressionId, field: Name<'m>) -> Option<VariablePlace> {
+        if let Some(variable) = self.own_in_out(base, field) {
+            return Some(VariablePlace::of(variable));
+        }
         let place = self.place(base)?;
         let Some(member) = self.member_of(base, place.content(), field.text) else {
             let name = self.model.types.name(place.content());

@@ -4,13 +4,15 @@
 pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// The scripts. Each file declares functions; the last one runs them.
-pub(super) const SCRIPTS: [&str; 16] = [
+pub(super) const SCRIPTS: [&str; 18] = [
     include_str!("dom.js"),
     include_str!("address.js"),
     include_str!("data.js"),
     include_str!("program.js"),
     include_str!("conversions.js"),
+    include_str!("system.js"),
     include_str!("explorer.js"),
+    include_str!("curves.js"),
     include_str!("plots.js"),
     include_str!("matrices.js"),
     include_str!("bits.js"),

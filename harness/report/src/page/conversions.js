@@ -21,7 +21,7 @@ function prepare(data) {
   let question = pairs.length + parts.length;
   data.functions = functions.map((one) => {
     const known = { name: words[one.name], operands: one.operands.map((word) => words[word]), result: words[one.result],
-      dialects: one.dialects, first: question, calls: one.calls, boundaries: one.boundaries };
+      dialects: one.dialects, first: question, calls: one.calls, boundaries: one.boundaries, curve: one.curve };
     question += one.calls;
     return known;
   });
@@ -44,12 +44,16 @@ function answererNames() {
   return [...new Set([...engineNames(), ...recorded])];
 }
 
-/** Returns a list in which what is about the dialects of the compilers that ran stands first; all do that in a run of the reference alone. */
+/**
+ * Returns a list in which what is about the reader's own system comes first, and then what is about the dialects of the compilers that ran; all
+ * are in a run of the reference alone.
+ */
 function ownFirst(list, dialectsOf) {
   const compilers = run().header.engines.filter((engine) => engine.name !== "reference");
-  const own = new Set(compilers.flatMap((engine) => engine.dialects));
-  const isOther = (one) => Number(!dialectsOf(one).some((dialect) => own.has(dialect)));
-  return compilers.length === 0 ? list : [...list].sort((one, other) => isOther(one) - isOther(other));
+  const ran = new Set(compilers.flatMap((engine) => engine.dialects));
+  const own = ownSystem();
+  const rank = (one) => (dialectsOf(one).includes(own) ? 0 : compilers.length === 0 || dialectsOf(one).some((dialect) => ran.has(dialect)) ? 1 : 2);
+  return [...list].sort((one, other) => rank(one) - rank(other));
 }
 
 /** Returns when and where answers were recorded; empty for those of this run. */

@@ -13,14 +13,15 @@ function showExplorer(main, query, view) {
   const value = query.get("value") || "";
   const from = named ? query.get("from") || named[0].operands[0] : query.get("from") || startPair(data)[0];
   const to = named ? (named.find((one) => one.operands[0] === from) || named[0]).result : query.get("to") || startPair(data)[1];
-  add(main, explorerForm(data, { from, to, value, name: named ? named[0].name : "" }));
+  add(main, systemChoice(), explorerForm(data, { from, to, value, name: named ? named[0].name : "" }));
   if (named) {
     showFunction(main, named, from, value);
   } else if (view !== "" && view !== "convert" && view !== "explorer") {
     add(main, el("p.notice", {}, `No case of this run calls a function ${view}.`));
   }
   if (!named) showPair(main, data, from, to, value);
-  main.querySelector("tr.wanted")?.scrollIntoView({ block: "center" });
+  // The panels show a value at once; without them, it is a row of the table.
+  if (main.querySelector(".panel") === null) main.querySelector("tr.wanted")?.scrollIntoView({ block: "center" });
 }
 
 /** Returns the pair of types that is shown first. */
@@ -141,7 +142,7 @@ function implicitTable(data, from, to) {
         return answer === undefined ? null : el("div", { title: `${recordedWhen(column.recording)} on ${column.recording.platform}` }, implicitTag(answer, word), ` ${column.engine}`);
       }))].filter((cell) => cell !== null)];
   });
-  const heads = ["dialect", "documents", ...engineNames(), ...(recorded.length === 0 ? [] : ["recorded compilers"])];
+  const heads = ["dialect", "documents", ...engineNames().map((name) => engineLabel(name)), ...(recorded.length === 0 ? [] : ["recorded compilers"])];
   return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, heads, rows),
     unasked.length > 0 ? el("p.dim", {}, `No case asks in ${unasked.join(", ")}.`) : null,
     hasCases() ? el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")) : null);
@@ -181,13 +182,14 @@ function functionView(one, value) {
   const rows = Array.from({ length: one.calls }, (_, index) => ({ ...statedOf(one, index), question: one.first + index, isBoundary: index < one.boundaries }));
   rows.sort((left, right) => compareLiterals(left.operands[0], right.operands[0]));
   const columns = columnsOf(one, rows);
+  const isDrawn = behavioursOf(one).some(({ views }) => views.some(({ points }) => points.some((point) => isAt(point, value))));
   const wanted = value === "" ? null : rows.find((row) => row.operands.length === 1 && isSame(row.operands[0], value));
   const command = `stickler conversions ${one.name} ${value === "" ? "" : `'${value}'`}`.trim();
   const title = `${one.name}(${one.operands.join(", ")}) : ${one.result}`;
   return el("section", { "aria-label": title },
     el("h3", {}, link(addressOf(one.name, { from: one.operands[0] }), title)),
-    value !== "" && wanted === undefined ? el("p.notice", {}, `The page does not hold ${value} for it. `, el("code", {}, command), " ", copyButton("command", command)) : null,
-    plotOf(one, rows, columns),
+    value !== "" && wanted === undefined && !isDrawn ? el("p.notice", {}, `The page does not hold ${value} for it. `, el("code", {}, command), " ", copyButton("command", command)) : null,
+    plotOf(one, rows, value),
     valueTable(title, one, rows, columns, wanted), printedTable(one.name));
 }
 
@@ -264,7 +266,7 @@ function folded(columns, indices) {
     const isSilent = isStated && shown.every((cell) => cell.state === "open");
     const { origin, when } = isSilent ? { origin: "documents", when: "" } : column;
     const key = JSON.stringify([origin, shown.map((cell) => [cell.state, cell.text, cell.basis, cell.otherwise?.value])]);
-    if (!joined.has(key)) joined.set(key, { origin, when, dialects: [], cells: shown });
+    if (!joined.has(key)) joined.set(key, { origin, when, isSilent, dialects: [], cells: shown });
     joined.get(key).dialects.push(...dialects);
   }
   return [...joined.values()];
@@ -289,11 +291,17 @@ function valueTable(title, one, rows, columns, wanted) {
     if (known.state === "recorded") return el("td.number", { title: "recorded: no source in Stickler says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
-  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, originLink(column.origin, one.name), column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
+  const heads = (shown) => shown.map((column) => el(`th.number${column.dialects.includes(own) ? ".mine" : ""}`, { scope: "col" }, originLink(column.origin, one.name, column.origin === "reference" ? "Stickler's model of" : undefined),
+    column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
   const grid = el("table.values", {});
   const list = el("ul.notes", {});
+  const silent = el("p.dim", { id: "silent" });
+  const own = ownSystem();
   const show = (indices) => {
-    const shown = folded(columns, indices);
+    const all = folded(columns, indices);
+    const shown = all.filter((column) => !column.isSilent);
+    const open = all.filter((column) => column.isSilent).flatMap((column) => column.dialects);
+    silent.textContent = open.length === 0 ? "" : `Open for every value shown, since no source in Stickler says what must come: ${dialectNames(open).join(", ")}.`;
     grid.replaceChildren(el("caption", {}, "What comes of these values"),
       el("thead", {}, el("tr", {}, el("th.number", { scope: "col" }, one.operands.join(", ")), heads(shown))),
       el("tbody", {}, indices.map((index, line) => el(`tr${rows[index] === wanted ? ".wanted" : ""}`, {},
@@ -309,6 +317,7 @@ function valueTable(title, one, rows, columns, wanted) {
   } }, `Show all ${grouped(rows.length)} values`);
   return el("div", {},
     el("div.scroll", { tabindex: "0", role: "region", "aria-label": title }, grid),
+    silent,
     first.length < rows.length ? all : null,
     list,
     el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; ≠ behind a recorded value: what the page of the same vendor says; open: no source in Stickler says what must come; ·: not asked."));

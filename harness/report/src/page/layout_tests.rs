@@ -37,22 +37,26 @@ fn columns_are_one_as_long_as_the_shown_values_have_the_same_results() {
     let [operand, ed2, engine] = [
         json!(["REAL"]),
         json!(["documents", "ironplc-ed2"]),
-        json!(["reference", "ironplc-ed2"]),
+        json!(["Stickler's model of", "ironplc-ed2"]),
     ];
     let compiler = json!(["STruC++ 0.6.1", "recorded 2026-11-24", "ironplc-ed2"]);
-    let silent = json!(["documents", "plcnext", "strucpp", "codesys"]);
-    assert_eq!(
-        driver.value(HEADS),
-        json!([operand, ed2, silent, compiler, engine])
-    );
+    let silent = |dialects: &str| {
+        let shown = driver.value("document.querySelector('#silent').innerText");
+        assert!(
+            shown.as_str().is_some_and(|text| text.ends_with(dialects)),
+            "{shown}"
+        );
+    };
+    assert_eq!(driver.value(HEADS), json!([operand, ed2, compiler, engine]));
+    silent("must come: plcnext, strucpp, codesys.");
 
     driver.value("[...document.querySelectorAll('main button')].find((button) => button.innerText.startsWith('Show all')).click()");
     let recorded = json!(["0.239", "recorded", "plcnext"]);
-    let silent = json!(["documents", "strucpp", "codesys"]);
     assert_eq!(
         driver.value(HEADS),
-        json!([operand, ed2, recorded, silent, compiler, engine])
+        json!([operand, ed2, recorded, compiler, engine])
     );
+    silent("must come: strucpp, codesys.");
     let notes = driver.value("document.querySelector('ul.notes').innerText");
     assert!(
         notes
@@ -64,4 +68,23 @@ fn columns_are_one_as_long_as_the_shown_values_have_the_same_results() {
         "[...document.querySelectorAll('ul.notes a')].find((link) => link.innerText === 'builds: 2026').href",
     );
     assert_eq!(address, "https://example.org/2026#2026");
+}
+
+#[test]
+fn the_reader_s_own_system_comes_first_and_is_remembered() {
+    let Some((driver, _folder)) = opened() else { return };
+    let first = "document.querySelector('.panel h4').innerText";
+    driver.follow("#REAL_TO_INT");
+    assert_eq!(driver.value(first), "PLCnext Engineer · STruC++");
+    driver.value("(() => { const at = document.querySelector('#system'); at.value = 'codesys'; at.dispatchEvent(new Event('change')); })()");
+    assert_eq!(driver.value(first), "CODESYS");
+    driver.value("location.reload()");
+    assert_eq!(driver.value(first), "CODESYS");
+    assert_eq!(driver.value("document.querySelector('#system').value"), "codesys");
+
+    // An arrow key goes to the next sample, and says what comes of it.
+    driver.value("document.querySelector('.plot').focus()");
+    driver.press(['\u{e014}']);
+    let readout = driver.value("document.querySelector('.readout strong').innerText");
+    assert_eq!(readout, "2.5000002 → 3");
 }

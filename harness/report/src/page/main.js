@@ -18,7 +18,7 @@ const VIEWS = [
 /** Shows the engines, the versions and the totals of the run. */
 function showHead() {
   const { header, footer } = run();
-  const total = header.engines.map((engine) => engine.name).join(", ");
+  const total = header.engines.map((engine) => engineLabel(engine.name)).join(", ");
   document.title = `Stickler: ${total}`;
   const seconds = (footer.duration_ms / 1000).toFixed(1);
   const searched = footer.causes_ms ? `, and ${(footer.causes_ms / 1000).toFixed(1)} s for the causes` : "";
@@ -41,7 +41,7 @@ function showHead() {
 function engineCard({ name, totals }) {
   const engine = engineOf(name);
   const verdicts = Object.entries(totals).filter(([verdict, number]) => number > 0 || verdict === "pass");
-  return el("li", {}, el("strong", {}, name), " ", el("span.dim", {}, engine ? engine.version : ""),
+  return el("li", {}, el("strong", {}, engineLabel(name)), " ", el("span.dim", {}, engine ? engine.version : ""),
     el("div.tags", {}, verdicts.map(([verdict, number]) =>
       (verdict === "pass" ? verdictTag(verdict, number) : link(addressOf("cases", { engine: name, verdict }), verdictTag(verdict, number))))),
     engine ? el("div.dim", { title: engine.dialects.join(", ") }, dialectNames(engine.dialects).join(", ")) : null);

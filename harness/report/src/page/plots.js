@@ -1,16 +1,146 @@
-// Plots: the result of a function against its operand, from the values that the page holds.
+// Plots of conversion functions: a panel for each behaviour, in which systems that do the same are together, with three views of it.
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** The greatest number of lines in a plot. */
-const MAX_LINES = 8;
+/** The size of a view, and the room at its edges for numbers, and for the infinities and NaN. */
+const VIEW = { width: 360, height: 216, left: 76, right: 12, top: 14, bottom: 30, beside: 26 };
+
+/** The greatest number of panels that are shown at once. */
+const MAX_PANELS = 4;
 
 /** Creates an element of a drawing. */
 function svg(tag, attributes, ...children) {
   const element = document.createElementNS(SVG, tag);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(key, value);
+    else if (value !== null) element.setAttribute(key, value);
+  }
   add(element, ...children);
   return element;
+}
+
+/** Returns the panels of a function; null where it has no curves. `value` is the operand that the reader looks for. */
+function plotOf(one, rows, value) {
+  const behaviours = behavioursOf(one);
+  if (behaviours.length === 0) return null;
+  const shown = behaviours.slice(0, MAX_PANELS).map((behaviour) => panel(one, rows, behaviour, value));
+  const others = behaviours.slice(MAX_PANELS);
+  return el("section.plots", { "aria-label": `Plots of ${one.name}` },
+    el("p.dim", {}, `${counted(behaviours.length, "behaviour", "behaviours")}; systems that do the same share a panel. `,
+      plotKey("solid", "stated by a source"), plotKey("chosen", "stated by none, chosen for Stickler's model (as hollow dots are)"), plotKey("dot", "a single value that a source states"), plotKey("cross", "something else than the curve"),
+      "Arrow keys move along a view that has the focus."),
+    shown, others.length === 0 ? null : opening(`${counted(others.length, "more behaviour", "more behaviours")}: ${others.map(({ dialects }) => systemNames(dialects).join(" · ")).join("; ")}`,
+      () => others.map((behaviour) => panel(one, rows, behaviour, value)), value !== ""));
+}
+
+/** Returns an entry of the legend. */
+function plotKey(kind, text) {
+  const marks = { solid: () => svg("line", { class: "stated", x1: 1, x2: 29, y1: 7, y2: 7 }), chosen: () => svg("line", { class: "chosen", x1: 1, x2: 29, y1: 7, y2: 7 }),
+    dot: () => svg("circle", { class: "stated", cx: 15, cy: 7, r: 3.4 }), cross: () => cross(15, 7) };
+  return [el("span.key", {}, svg("svg", { viewBox: "0 0 30 14", "aria-hidden": "true" }, marks[kind]()), ` ${text}`), " "];
+}
+
+/** Returns the mark of a value beside the curve. */
+function cross(x, y) {
+  return svg("path", { class: "cross", d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` });
+}
+
+/** Returns the panel of a behaviour: the systems that share it, its views, what is under the cursor, and all of it as a table. */
+function panel(one, rows, behaviour, value) {
+  const own = ownSystem();
+  const judged = behaviour.dialects.includes(own) ? [own] : behaviour.dialects;
+  const singles = singleResults(one, rows, judged);
+  const readout = el("p.readout", { "aria-live": "polite" });
+  const bits = el("div", {});
+  const known = { one, judged, behaviour, singles, show: (view, point) => {
+    readout.replaceChildren(el("strong", {}, `${point.operand} → ${point.result}`), " ", ...sourcesOf(view, point, behaviour, judged, singles));
+    bits.replaceChildren(...bitStrip(one, behaviour, point));
+  } };
+  const [sought, soughtView] = behaviour.views.flatMap((view) => view.points.map((point) => [point, view])).find(([point]) => isAt(point, value)) || [];
+  const start = soughtView || behaviour.views[0];
+  const drawn = behaviour.views.map((view) => viewOf(known, view, start === view, sought));
+  known.show(start, sought || notable(one, start)[0] || start.points[0]);
+  return el("figure.panel", {}, el("figcaption", {}, el("h4", {}, systemNames([...judged, ...behaviour.dialects.filter((name) => !judged.includes(name))]).map((name, index) =>
+    [index > 0 ? " · " : "", own !== "" && index === 0 && judged[0] === own ? el("strong.own", {}, name) : name]))),
+  el("div.views", {}, drawn), readout, bits,
+  opening("The same as a table", () => behaviour.views.map((view) => table(viewTitle(one, view), [one.operands[0], one.result, "source"],
+    view.points.map((point) => [point.operand, point.result, el("span", {}, ...sourcesOf(view, point, behaviour, judged, singles))]))), false));
+}
+
+/** Returns the title of a view, which says what its axes are. */
+function viewTitle(one, { name }) {
+  const [from] = one.operands;
+  if (name === "zero") return "Around zero";
+  if (name === "whole") return `All of ${from}: symmetric logarithmic axes`;
+  return isReal(one.result) ? `Where ${one.result} begins to skip whole numbers` : `Around the limits of ${one.result}: linear axes`;
+}
+
+/** Returns whether a type is one of the reals. */
+function isReal(type) {
+  return type === "REAL" || type === "LREAL";
+}
+
+/** Returns the least and the greatest value of an integer or bit string; null of other types. */
+function limitsOf(type) {
+  if (!(type in WIDTHS)) return null;
+  return /^(SINT|INT|DINT|LINT)$/.test(type) ? [-(2 ** (WIDTHS[type] - 1)), 2 ** (WIDTHS[type] - 1) - 1] : [0, 2 ** WIDTHS[type] - 1];
+}
+
+/** Returns the points of a view that its caption names, the most telling one first. */
+function notable(one, { name, points }) {
+  const at = (x) => points.find((point) => Object.is(point.x, x));
+  const limits = limitsOf(one.result);
+  const wanted = name === "zero" ? [2.5, -0.5, 0.5, 1.5]
+    : name === "limits" && limits !== null ? [limits[1] + 1, points.find(({ x }) => x > 1.2 * limits[1])?.x, limits[0] - 1]
+      : name === "limits" ? [2 ** 24 + 1, 2 ** 24 + 3, 2 ** 53 + 1, 2 ** 32] : [1e10, Infinity, NaN];
+  return wanted.map(at).filter((point) => point !== undefined);
+}
+
+/** Returns who states the result of a point, and for which systems nobody does. */
+function sourcesOf(view, point, behaviour, judged, singles) {
+  const by = new Map();
+  const take = (basis, name) => by.set(basis, [...(by.get(basis) || []), name]);
+  for (const dialect of judged) {
+    const single = singles.find(({ x, basis, who }) => Object.is(x, point.x) && basis !== null && who === titleOf(dialect));
+    take(view.basisOf(dialect, point) || single?.basis || null, dialect);
+  }
+  const deviating = singles.filter(({ x, y }) => Object.is(x, point.x) && !Object.is(y, point.y));
+  const agreeing = singles.filter(({ x, y, basis }) => basis === null && Object.is(x, point.x) && Object.is(y, point.y));
+  return [[...by].map(([basis, names], index) => [index > 0 ? "; " : "", judged.length > 1 ? `${systemNames(names).join(" · ")}: ` : "", basis === null ? "chosen, no source states it" : basisLink(basis)]),
+    agreeing.length > 0 ? `; so does ${[...new Set(agreeing.map(({ who }) => who))].join(", ")}` : "",
+    deviating.map(({ result, who, basis }) => [" ", el("span.tag.differs", {}, `≠ ${result}`), ` ${who}${basis === null ? "" : `, ${basis}`}`])].flat(4);
+}
+
+/** Returns whether any source states the result of a point for the systems that count. */
+function isStatedPoint({ judged, singles }, view, point) {
+  return judged.some((dialect) => isDocumented(view.basisOf(dialect, point))
+    || singles.some(({ x, y, basis, who }) => x === point.x && y === point.y && isDocumented(basis) && who === titleOf(dialect)));
+}
+
+/** Returns whether a source states a rule by which the result of a point comes, and not only single results. */
+function isRuled({ judged }, view, point) {
+  return judged.some((dialect) => isDocumented(view.basisOf(dialect, point)));
+}
+
+/** Returns the scales of a view, from numbers to places in the drawing. */
+function scalesOf(view, points) {
+  const { width, height, left, right, top, bottom, beside } = VIEW;
+  const isWhole = view.name === "whole";
+  const by = isWhole ? scaled : (number) => number;
+  const extent = (values, pad) => {
+    const [least, greatest] = [Math.min(...values), Math.max(...values)];
+    const room = (greatest - least || 1) * pad;
+    return [least - room, greatest + room];
+  };
+  const [x0, x1] = extent(points.map(({ x }) => by(x)), 0.01);
+  // What wraps around near zero is far off: it has a row of its own at the edge, so that the steps stay steps.
+  const isFar = (y) => view.name === "zero" && Math.abs(y) > 8 && points.some((point) => Math.abs(point.y) <= 8);
+  const [y0, y1] = extent(points.filter(({ y }) => !isFar(y)).map(({ y }) => by(y)), points.some(({ y }) => isFar(y)) ? 0.16 : 0.07);
+  const gutter = view.points.some(({ x }) => !Number.isFinite(x)) ? beside : 0;
+  const [start, end] = [left + gutter, width - right - 2 * gutter];
+  return { start, end, isFar,
+    x: (number) => (Number.isNaN(number) ? end + gutter * 1.55 : number === Infinity ? end + gutter * 0.6 : number === -Infinity ? left + gutter * 0.4 : start + ((by(number) - x0) / (x1 - x0)) * (end - start)),
+    y: (number) => (isFar(number) ? (number > 0 ? top + 2 : height - bottom - 2) : Number.isFinite(number) ? height - bottom - ((by(number) - y0) / (y1 - y0)) * (height - bottom - top) : top) };
 }
 
 /** Returns a scale that keeps sign and order and makes room for great and small numbers alike. */
@@ -18,76 +148,183 @@ function scaled(number) {
   return Math.sign(number) * Math.log10(1 + Math.abs(number));
 }
 
-/** Returns the points of a column whose operand and result are numbers. */
-function pointsOf(rows, column) {
-  const points = rows.map((row, index) => ({ x: numberOf(row.operands[0]), y: numberOf(column.cells[index].text), operand: row.operands[0], result: column.cells[index].text }));
-  return points.filter((point) => Number.isFinite(point.x) && Number.isFinite(point.y) && point.result !== "");
+/** Returns whether the results between two neighbouring samples lie on the line between them: they are equal, or follow their operands. */
+function isJoined(view, left, right) {
+  if (left.y === right.y) return true;
+  if (view.name === "whole") return [left, right].every(({ x, y }) => Math.abs(y - x) <= 1 + 1e-6 * Math.abs(x));
+  const difference = Math.abs((right.y - right.x) - (left.y - left.x));
+  return view.name === "zero" ? difference === 0 : difference < 1;
 }
 
-/** Returns the plot of a function, or null where its operands or results are no numbers. */
-function plotOf(one, rows, columns) {
-  if (one.operands.length !== 1) return null;
-  const lines = linesOf(rows, columns);
-  if (lines.length === 0) return null;
-  const leftOut = lines.slice(MAX_LINES).map((line) => line.name);
-  return opening("Result against operand", () => [plot(one, lines.slice(0, MAX_LINES)),
-    leftOut.length > 0 ? el("p.dim", {}, `The table below has what the plot has no room for: ${leftOut.join("; ")}.`) : null], true);
-}
-
-/** Returns the lines of a plot, each with the columns whose points are the same. */
-function linesOf(rows, columns) {
-  const lines = new Map();
-  for (const column of columns) {
-    const points = pointsOf(rows, column);
-    if (points.length <= 3) continue;
-    const key = JSON.stringify(points.map((point) => [point.x, point.y]));
-    if (!lines.has(key)) lines.set(key, { points, origins: new Map() });
-    const { origins } = lines.get(key);
-    origins.set(column.origin, [...(origins.get(column.origin) || []), ...column.dialects]);
-  }
-  // Where there is no room for all, what compilers do comes before what only documents say, and Stickler's own reference last.
-  const rank = ({ origins }) => Math.min(...[...origins.keys()].map((origin) => (origin === "reference" ? 2 : origin === "documents" ? 1 : 0)));
-  return [...lines.values()].sort((one, other) => rank(one) - rank(other)).map(({ points, origins }) => ({ points,
-    name: [...origins].map(([origin, dialects]) => `${origin}: ${dialectNames(dialects).join(", ")}`).join("; ") }));
-}
-
-/** Draws a plot with its legend. Lines differ in colour, dashes and marks. */
-function plot(one, lines) {
-  const [width, height, left, bottom] = [720, 340, 78, 34];
-  const all = lines.flatMap((line) => line.points);
-  const extent = (of) => {
-    const values = all.map((point) => scaled(of(point)));
-    const [least, greatest] = [Math.min(...values), Math.max(...values)];
-    return least === greatest ? [least - 1, greatest + 1] : [least, greatest];
+/** Returns a view: the drawing with its cursor, and a caption that names the most telling values. */
+function viewOf(known, view, isRead, found) {
+  const sought = isRead ? found : undefined;
+  const { one } = known;
+  const points = view.points.filter(({ x, y }) => Number.isFinite(x) && Number.isFinite(y));
+  const scales = scalesOf(view, points);
+  const title = viewTitle(one, view);
+  const line = svg("line", { class: "cursor", y1: VIEW.top, y2: VIEW.height - VIEW.bottom });
+  const ring = svg("circle", { class: "cursor", r: 5 });
+  let at = 0;
+  const drawing = svg("svg", { viewBox: `0 0 ${VIEW.width} ${VIEW.height}`, class: `plot${isRead ? " read" : ""}`, tabindex: "0", role: "slider", "aria-label": `${one.name} of ${systemNames(known.judged).join(" · ")}. ${title}`, "aria-valuetext": "",
+    "aria-valuemin": 0, "aria-valuemax": view.points.length - 1, "aria-valuenow": 0,
+    pointermove: (event) => {
+      const box = drawing.getBoundingClientRect();
+      const place = ((event.clientX - box.left) / box.width) * VIEW.width;
+      move(nearest(view, scales, place), true);
+    },
+    focus: () => move(at, true),
+    keydown: (event) => {
+      const to = { ArrowLeft: at - 1, ArrowRight: at + 1, ArrowUp: at + 1, ArrowDown: at - 1, PageUp: at + 10, PageDown: at - 10, Home: 0, End: view.points.length - 1 }[event.key];
+      if (to === undefined) return;
+      event.preventDefault();
+      move(Math.min(Math.max(to, 0), view.points.length - 1), true);
+    } },
+  axesOf(one, view, points, scales), curveParts(known, view, points, scales), line, ring);
+  const move = (index, isShown) => {
+    at = index;
+    const point = view.points[index];
+    for (const key of ["x1", "x2"]) line.setAttribute(key, scales.x(point.x).toFixed(1));
+    ring.setAttribute("cx", scales.x(point.x).toFixed(1));
+    ring.setAttribute("cy", scales.y(point.y).toFixed(1));
+    drawing.setAttribute("aria-valuenow", index);
+    drawing.setAttribute("aria-valuetext", `${point.operand} gives ${point.result}`);
+    if (!isShown) return;
+    drawing.closest(".views").querySelectorAll(".read").forEach((other) => other.classList.remove("read"));
+    drawing.classList.add("read");
+    known.show(view, point);
   };
-  const [[x0, x1], [y0, y1]] = [extent((point) => point.x), extent((point) => point.y)];
-  const x = (value) => left + ((scaled(value) - x0) / (x1 - x0)) * (width - left - 14);
-  const y = (value) => height - bottom - ((scaled(value) - y0) / (y1 - y0)) * (height - bottom - 12);
-  const marks = [0, 1, -1, 100, -100, 1e4, -1e4, 1e6, -1e6, 1e9, -1e9, 1e12, -1e12, 1e18, -1e18, 1e38, -1e38, 1e308, -1e308];
-  const inside = (least, greatest) => marks.filter((mark) => scaled(mark) >= least && scaled(mark) <= greatest);
-  const spaced = (list, place, gap) => list.reduce((kept, mark) => (kept.some((other) => Math.abs(place(other) - place(mark)) < gap) ? kept : [...kept, mark]), []);
-  const label = (mark) => (Math.abs(mark) >= 1e6 ? mark.toExponential(0).replace("+", "") : String(mark));
-  const drawing = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", class: "plot", "aria-label": `${one.name}: result against operand; the table below has the same values` },
-    spaced(inside(x0, x1), x, 42).map((mark) => svg("g", { class: "axis" }, svg("line", { x1: x(mark), x2: x(mark), y1: 10, y2: height - bottom }),
-      svg("text", { x: x(mark), y: height - bottom + 16, "text-anchor": "middle" }, label(mark)))),
-    spaced(inside(y0, y1), y, 18).map((mark) => svg("g", { class: "axis" }, svg("line", { x1: left, x2: width - 14, y1: y(mark), y2: y(mark) }),
-      svg("text", { x: left - 6, y: y(mark) + 4, "text-anchor": "end" }, label(mark)))),
-    lines.map((line, index) => svg("g", { class: `series s${index}` },
-      svg("polyline", { points: line.points.map((point) => `${x(point.x).toFixed(1)},${y(point.y).toFixed(1)}`).join(" ") }),
-      line.points.map((point) => markOf(index, x(point.x), y(point.y), `${bare(point.operand)} gives ${bare(point.result)}`)))),
-    svg("text", { x: width - 14, y: height - 4, "text-anchor": "end", class: "name" }, `${one.operands[0]} (logarithmic on both sides of 0)`));
-  return [drawing, el("ul.legend", {}, lines.map((line, index) => el("li", {},
-    svg("svg", { viewBox: "0 0 34 14", class: "plot key", "aria-hidden": "true" }, svg("g", { class: `series s${index}` },
-      svg("polyline", { points: "1,7 33,7" }), markOf(index, 17, 7, ""))), " ", line.name)))];
+  const told = notable(one, view);
+  move((sought || told[0] || view.points[0]).index, false);
+  return el("div.view", {}, el("div.name", {}, title), drawing,
+    el("div.told", {}, [sought, ...told].filter((point, index, all) => point !== undefined && all.indexOf(point) === index).map((point) =>
+      el(point === sought ? "strong" : "span", {}, `${point.operand} → ${point.result}`))));
 }
 
-/** Returns the mark of a line: each has a form of its own. */
-function markOf(index, x, y, title) {
-  const forms = [
-    () => svg("circle", { cx: x, cy: y, r: 3.4 }), () => svg("rect", { x: x - 3, y: y - 3, width: 6, height: 6 }),
-    () => svg("path", { d: `M${x} ${y - 4}l4 7h-8z` }), () => svg("path", { d: `M${x} ${y - 4.5}l4.5 4.5l-4.5 4.5l-4.5 -4.5z` }),
-  ];
-  const mark = forms[index % forms.length]();
-  if (title !== "") mark.append(svg("title", {}, title));
-  return mark;
+/** Returns the index of the sample that is nearest to a place in the drawing. */
+function nearest(view, scales, place) {
+  let [best, least] = [0, Infinity];
+  for (const { index, x } of view.points) {
+    // Of samples at the same place, such as 2.5 and its neighbours, the one with the fewest digits counts.
+    const distance = Math.abs(scales.x(x) - place) + 1e-3 * view.points[index].operand.length;
+    if (distance < least) [best, least] = [index, distance];
+  }
+  return best;
+}
+
+/** Returns the grid of a view with its numbers, and the range of the target as a band. */
+function axesOf(one, view, points, scales) {
+  const { width, height, left, right, top, bottom } = VIEW;
+  const limits = limitsOf(one.result);
+  const near = points.map(({ y }) => y).filter((y) => !scales.isFar(y));
+  const far = points.map(({ y }) => y).filter(scales.isFar);
+  const [least, greatest] = [Math.min(...near), Math.max(...near)];
+  const [first, last] = [points[0].x, points[points.length - 1].x];
+  const decades = Math.log10(Math.max(1, last, -first)) / 4;
+  const step = [1, 2, 3, 5, 10, 100].find((size) => size >= decades) || 100;
+  const powers = [0, ...Array.from({ length: 310 }, (_, power) => [10 ** power, -(10 ** power)]).flat()];
+  const even = (from, to) => {
+    const sizes = Array.from({ length: 20 }, (_, power) => [1, 2, 5].map((digit) => digit * 10 ** power)).flat();
+    const size = sizes.find((one) => (to - from) / one <= 4.5) || 1e20;
+    return Array.from({ length: Math.floor(to / size) - Math.ceil(from / size) + 1 }, (_, index) => (Math.ceil(from / size) + index) * size);
+  };
+  const isLinear = view.name === "limits" && limits !== null;
+  const marksX = view.name === "zero" ? [-3, -2, -1, 0, 1, 2, 3] : isLinear ? [limits[1], limits[0], 0, ...even(first, last)] : view.name === "whole" ? powers.filter((mark) => mark === 0 || Math.round(Math.log10(Math.abs(mark))) % step === 0 && Math.abs(mark) !== 1) : even(first, last);
+  const marksY = view.name === "zero" && greatest - least <= 12 ? Array.from({ length: greatest - least + 1 }, (_, index) => least + index) : view.name === "zero" ? even(least, greatest) : [least, greatest, 0, ...(view.name === "whole" ? powers : even(least, greatest))];
+  const spaced = (marks, place, gap) => marks.reduce((kept, mark) => (kept.some((other) => Math.abs(place(other) - place(mark)) < gap(mark, other)) ? kept : [...kept, mark]), []);
+  const wide = (mark, other) => 8 + 3.2 * (axisLabel(mark).length + axisLabel(other).length);
+  const special = view.points.filter(({ x }) => !Number.isFinite(x));
+  const within = (mark) => mark >= first && mark <= last && (special.length === 0 || (scales.x(mark) > scales.start + 18 && scales.x(mark) < scales.end - 18));
+  const band = limits === null || view.name === "zero" ? null : svg("rect", { class: "range", x: scales.x(Math.max(limits[0], first)), width: scales.x(Math.min(limits[1], last)) - scales.x(Math.max(limits[0], first)),
+    y: top, height: height - bottom - top }, svg("title", {}, `what ${one.result} holds`));
+  return [band,
+    view.name === "zero" ? [-3.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 3.5].map((half) => svg("line", { class: "half", x1: scales.x(half), x2: scales.x(half), y1: top, y2: height - bottom })) : null,
+    spaced(marksX.filter(within), scales.x, wide).map((mark) => svg("g", { class: "axis" }, svg("line", { x1: scales.x(mark), x2: scales.x(mark), y1: top, y2: height - bottom }),
+      svg("text", { x: scales.x(mark), y: height - bottom + 13, "text-anchor": "middle" }, axisLabel(mark)))),
+    spaced([...marksY.filter((mark) => mark >= least && mark <= greatest), ...(far.length === 0 ? [] : [Math.max(...far)])], scales.y, () => 14).map((mark) => svg("g", { class: "axis" }, svg("line", { x1: scales.start, x2: scales.end, y1: scales.y(mark), y2: scales.y(mark) }),
+      svg("text", { x: left - 4, y: scales.y(mark) + 4, "text-anchor": "end" }, axisLabel(mark)))),
+    special.map(({ x }) => svg("g", { class: "axis" }, svg("line", { x1: scales.x(x), x2: scales.x(x), y1: top, y2: height - bottom }),
+      svg("text", { x: scales.x(x), y: height - bottom + 13, "text-anchor": "middle" }, Number.isNaN(x) ? "NaN" : x < 0 ? "−∞" : "∞"))),
+    svg("text", { class: "title", x: width - right, y: height - 4, "text-anchor": "end" }, `${one.operands[0]}${isDuration(one.operands[0]) ? " in ms" : ""} →`)];
+}
+
+/** Writes a number on an axis in few characters. */
+function axisLabel(number) {
+  if (Math.abs(number) >= 1e6 && Number.isInteger(Math.log10(Math.abs(number)))) return number.toExponential(0).replace("e+", "E").replace("-", "−");
+  const text = String(number);
+  if (text.length <= 11 && Math.abs(number) < 1e15) return text.replace("-", "−");
+  return number.toExponential(1).replace("e+", "E").replace("-", "−");
+}
+
+/** Returns the lines, jumps, bands and dots of a curve, and the single values of sources and engines. */
+function curveParts(known, view, points, scales) {
+  const parts = [];
+  const place = ({ x, y }) => [scales.x(x).toFixed(1), scales.y(y).toFixed(1)];
+  const isStated = points.map((point) => isRuled(known, view, point));
+  const joined = points.map((point, index) => index + 1 < points.length && isJoined(view, point, points[index + 1]));
+  const isLone = (index) => !joined[index] && !(index > 0 && joined[index - 1]);
+  for (let index = 0; index < points.length; index++) {
+    // Lone samples side by side: the results wrap again and again, and no line joins them.
+    let end = index;
+    while (view.name === "whole" && end + 1 < points.length && isLone(end) && isLone(end + 1)) end++;
+    if (end > index + 1) {
+      const [tops, bottoms] = [Math.max(...points.slice(index, end + 1).map(({ y }) => y)), Math.min(...points.slice(index, end + 1).map(({ y }) => y))];
+      const width = scales.x(points[end].x) - scales.x(points[index].x);
+      parts.push(svg("rect", { class: "wraps", x: scales.x(points[index].x), width, y: scales.y(tops), height: scales.y(bottoms) - scales.y(tops) }),
+        width > 44 ? svg("text", { class: "wrapping", x: scales.x(points[index].x) + width / 2, y: VIEW.top - 4, "text-anchor": "middle" }, limitsOf(known.one.result) === null ? "jumps" : "wraps") : null);
+      for (let lone = index; lone <= end; lone++) parts.push(dot(place(points[lone]), 1.3, isStated[lone]));
+      index = end;
+      continue;
+    }
+    if (isLone(index) && view.name === "whole") parts.push(dot(place(points[index]), 1.8, isStated[index]));
+    let last = index;
+    while (joined[last] && (isStated[last] && isStated[last + 1]) === (isStated[index] && isStated[index + 1])) last++;
+    if (last > index) {
+      parts.push(svg("polyline", { class: isStated[index] && isStated[index + 1] ? "stated" : "chosen", points: points.slice(index, last + 1).map((point) => place(point).join(",")).join(" ") }));
+    } else if (index + 1 < points.length && view.name !== "whole" && points[index + 1].x - points[index].x <= 1) {
+      const [[x1, y1], [x2, y2]] = [place(points[index]), place(points[index + 1])];
+      const middle = (Number(x1) + Number(x2)) / 2;
+      parts.push(svg("path", { class: "jump", d: `M${x1} ${y1}H${middle}V${y2}H${x2}` }));
+    }
+    index = Math.max(index, last - 1);
+  }
+  // The results of the halves, on which roundings differ; of few samples, all of them.
+  const dotted = view.name === "zero" ? (point) => Math.abs(point.x * 2) % 2 === 1 : (point) => points.length <= 60 && view.name === "limits";
+  points.forEach((point) => {
+    if (dotted(point)) parts.push(dot(place(point), 3, isStatedPoint(known, view, point)));
+  });
+  view.points.filter(({ x }) => !Number.isFinite(x)).forEach((point) => parts.push(dot(place(point), 3.2, isStatedPoint(known, view, point))));
+  const [first, last] = [points[0].x, points[points.length - 1].x];
+  const around = (x) => {
+    const next = view.points.findIndex((point) => Object.is(point.x, x) || point.x >= x);
+    return view.points.slice(Object.is(view.points[next]?.x, x) ? next : Math.max(next - 1, 0), next + 1);
+  };
+  // What a source states of the number beside a half would hide what comes of the half.
+  const isBesideHalf = (x) => view.name === "zero" && !Number.isInteger(x * 2) && Math.abs(x * 2 - Math.round(x * 2)) < 0.02;
+  for (const single of known.singles.filter(({ x }) => !isBesideHalf(x)).filter(({ x }) => (x >= first && x <= last) || (view.name === "whole" && !Number.isFinite(x)))) {
+    const curve = view.points.find(({ x }) => Object.is(x, single.x));
+    if (curve !== undefined && !Object.is(curve.y, single.y)) parts.push(cross(...place(single).map(Number)));
+    else if (isDocumented(single.basis) && !around(single.x).every((point) => isRuled(known, view, point))) parts.push(dot(place(single), 3, true));
+  }
+  return parts;
+}
+
+/** Returns a dot: filled where a source states the result. */
+function dot([cx, cy], r, isStated) {
+  return svg("circle", { class: isStated ? "stated" : "chosen", cx, cy, r });
+}
+
+/** Returns the bits of an operand and those that the result keeps, where a conversion of integers does nothing else. */
+function bitStrip(one, behaviour, point) {
+  const [from, to] = [WIDTHS[one.operands[0]], WIDTHS[one.result]];
+  if (from === undefined || to === undefined) return [];
+  const kept = (text) => BigInt.asUintN(to, BigInt(text));
+  const isWrap = behaviour.views.every(({ points }) => points.every(({ operand, result }) => kept(operand) === kept(result)));
+  if (!isWrap) return [];
+  const bits = [...BigInt.asUintN(from, BigInt(point.operand)).toString(2).padStart(from, "0")];
+  const group = (list, first) => list.map((bit, index) => el(`span.bit${(first - index) % 8 === 0 ? ".byte" : ""}`, {}, bit));
+  const lost = Math.max(from - to, 0);
+  return [el("p.bits", { "aria-label": `The result is the low ${Math.min(from, to)} bits of the operand` },
+    lost > 0 ? el("span.lost", { title: "bits that are lost" }, group(bits.slice(0, lost), from - 1)) : null, el("span.kept", { title: "bits that are kept" }, group(bits.slice(lost), from - lost - 1)),
+    el("span.dim", {}, lost > 0 ? ` the low ${to} of ${from} bits are kept` : ` all ${from} bits are kept${to > from ? `, ${to - from} are added` : ""}, and read as ${one.result}`))];
 }

@@ -1,11 +1,12 @@
 //! Tests the places of a report, and what it tells of results that it leaves out; golden texts show the rest.
 
-use super::{json, uri};
+use super::{diagnostics_as_sarif, json, uri};
 use crate::overview::MAX_KEPT_FAILURES;
 use crate::sample;
 use serde_json::Value;
 use stickler_mdtest::schema as schema_check;
 use stickler_run::Verdict;
+use stickler_types::Diagnostic;
 
 /// The part of the public schema of SARIF that a report uses. It knows no other key.
 const PART: &str = include_str!("part.schema.json");
@@ -34,4 +35,25 @@ fn what_is_left_out_is_told() {
 fn an_absolute_path_is_an_address_of_a_file() {
     assert_eq!(uri("/a folder/a.toml"), "file:///a%20folder/a.toml");
     assert_eq!(uri(r"cases\a.toml"), "cases/a.toml");
+}
+
+#[test]
+fn each_code_of_diagnostics_is_a_rule() {
+    let diagnostic = |code: Option<&str>, line| Diagnostic {
+        code: code.map(str::to_owned),
+        line: Some(line),
+        ..Diagnostic::default()
+    };
+    let found = [
+        diagnostic(Some("P4007"), 3),
+        diagnostic(None, 1),
+        diagnostic(Some("P4007"), 5),
+    ];
+    let found = found.iter().map(|diagnostic| ("a b.st", diagnostic));
+    let text = diagnostics_as_sarif(found, "stickler", "2026-01-01T00:00:00Z").expect("JSON");
+    let report: Value = serde_json::from_slice(&text).expect("JSON");
+    assert_valid(&report);
+    let run = &report["runs"][0];
+    assert_eq!(run["tool"]["driver"]["rules"].as_array().map(Vec::len), Some(2));
+    assert_eq!(run["results"][2]["ruleIndex"], run["results"][0]["ruleIndex"]);
 }

@@ -51,8 +51,8 @@ impl KnownCauses {
         let mut causes = self.causes.iter();
         let is_shown = |key: &CauseKey| {
             found.symptom == key.symptom
-                && found.constructs.iter().eq(&key.constructs)
-                && key.labels.iter().all(|label| found.labels.contains(label))
+                && found.constructs == key.constructs
+                && key.labels.is_subset(&found.labels)
         };
         let explains = |(cause, key): &&(Cause, CauseKey)| {
             cause.engine == finding.subject()

@@ -16,7 +16,7 @@ const INSTANCE: &str = "stickler_block";
 const RESULT: &str = "stickler_result";
 
 /// A text with a program, and how a trace names its variables.
-pub(super) struct Judged {
+pub(in crate::commands) struct Judged {
     /// The whole text.
     pub text: String,
     /// The paths that stand before the names of a trace, the first that fits first.
@@ -27,7 +27,7 @@ pub(super) struct Judged {
 
 impl Judged {
     /// Returns the path of a variable that a trace names.
-    pub(super) fn path<'n>(&self, name: &'n str) -> &'n str {
+    pub(in crate::commands) fn path<'n>(&self, name: &'n str) -> &'n str {
         let is_result = |function: &String| function.eq_ignore_ascii_case(name);
         match &self.function {
             Some(function) if is_result(function) => RESULT,
@@ -36,7 +36,7 @@ impl Judged {
     }
 
     /// Returns the name by which a trace knows the variable of a path.
-    pub(super) fn shown(&self, path: &str) -> String {
+    pub(in crate::commands) fn shown(&self, path: &str) -> String {
         let name = path.strip_prefix(self.prefixes[0]).unwrap_or(path);
         match (&self.function, name.strip_prefix(RESULT)) {
             (Some(function), Some(parts)) => format!("{function}{parts}"),
@@ -49,12 +49,18 @@ impl Judged {
     ///
     /// # Errors
     /// No unit of that name, or nothing to call.
-    pub(super) fn of(text: &str, dialect: DialectName, named: Option<&str>) -> anyhow::Result<Judged> {
+    pub(in crate::commands) fn of(
+        text: &str,
+        dialect: DialectName,
+        named: Option<&str>,
+    ) -> anyhow::Result<Judged> {
         let (unit, _) = stickler_syntax::parse(text, Dialect::of(dialect));
         let has_program = last(&unit, PouKind::Program).is_some();
-        if named.is_none() && has_program {
+        let is_program =
+            |pou: &Pou<'_>| pou.kind == PouKind::Program && named.is_none_or(|name| pou.name.is(name));
+        if unit.pous().any(is_program) {
             return Ok(Judged {
-                text: text.to_owned(),
+                text: named.map_or_else(|| Ok(text.to_owned()), |name| running(text, name, dialect))?,
                 prefixes: &[""],
                 function: None,
             });

@@ -1,5 +1,6 @@
 //! Gathers what cases state about conversions, and numbers the questions.
 
+use super::curve::Curve;
 use super::{Accepted, CaseStatement, FunctionStatements, Statements};
 use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
@@ -186,6 +187,11 @@ impl StatementsBuilder {
         let mut recorded = RecordedColumn::all(recordings, &self.dialects);
         let mut all = Statements {
             dialects: self.dialects.iter().map(|dialect| dialect.as_str()).collect(),
+            titles: self
+                .dialects
+                .iter()
+                .map(|dialect| &dialect.rules().title[..])
+                .collect(),
             pairs: self.pairs.all,
             parts: self.parts.all,
             ..Statements::default()
@@ -228,6 +234,11 @@ impl StatementsBuilder {
             let signature = &function.signature;
             let types = signature.operands.iter().map(|ty| self.words.number(ty.name()));
             let operands = types.collect();
+            let dialects: Vec<_> = function
+                .dialects
+                .iter()
+                .map(|index| self.dialects[*index])
+                .collect();
             all.functions.push(FunctionStatements {
                 name: self.words.number(&signature.function),
                 operands,
@@ -235,6 +246,7 @@ impl StatementsBuilder {
                 dialects: function.dialects.clone(),
                 calls: function.calls.len(),
                 boundaries: function.boundaries,
+                curve: Curve::of(signature, &dialects, &mut self.words),
             });
             for (number, call) in function.calls.iter().enumerate() {
                 let texts = call.iter().map(|value| self.words.number(&value.to_string()));
