@@ -15,7 +15,12 @@ use stickler_types::{Dialect, DialectName, Value};
 
 /// The time for one program from which on an engine is slow: it spends its time starting, for a program of a campaign is done
 /// in microseconds.
-pub(super) const SLOW_PROGRAM: Duration = Duration::from_millis(20);
+const SLOW_PROGRAM: Duration = Duration::from_millis(20);
+
+/// Returns whether an engine is slow, by the time of the quickest program that it took alone; nothing is known of one that took none.
+pub(super) fn is_slow(quickest: Option<Duration>) -> bool {
+    quickest.is_some_and(|quickest| quickest >= SLOW_PROGRAM)
+}
 
 /// The number of programs in one pack at most.
 pub(super) const MAX_PACK_LEN: usize = 16;
@@ -100,6 +105,12 @@ mod tests {
         let programs = (0..60).map(|place| Inputs::new(5).program(place, &[dialect], false));
         let subjects = programs.filter_map(|program| EvaluatedProgram::new(program).ok());
         subjects.filter(packs).collect()
+    }
+
+    #[test]
+    fn an_engine_is_slow_where_no_program_alone_was_quick() {
+        let slow = [None, Some(19), Some(20)].map(|quickest| is_slow(quickest.map(Duration::from_millis)));
+        assert_eq!(slow, [false, false, true]);
     }
 
     #[test]

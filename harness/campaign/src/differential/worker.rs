@@ -4,7 +4,7 @@ use super::DifferentialOracle;
 use super::comparison::{Agreement, JudgedProgram, compare};
 use super::engine::{ask, ask_all, has_died, lives};
 use super::evaluated::EvaluatedProgram;
-use super::pack::{MAX_PACK_LEN, Pack, PackPolicy, SLOW_PROGRAM, packs};
+use super::pack::{MAX_PACK_LEN, Pack, PackPolicy, is_slow, packs};
 use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
 use std::time::{Duration, Instant};
@@ -126,7 +126,7 @@ impl<'b> DifferentialWorker<'b> {
     /// Returns whether an engine that takes one program at a time is given several as one.
     fn packs(&self, index: usize) -> bool {
         match self.oracle.packs {
-            PackPolicy::WhereSlow => self.quickest[index].is_some_and(|quickest| quickest >= SLOW_PROGRAM),
+            PackPolicy::WhereSlow => is_slow(self.quickest[index]),
             PackPolicy::Never => false,
             PackPolicy::Always => true,
         }
