@@ -9,7 +9,7 @@ use crate::model::{
     Argument, AssignmentTarget, Expression, ExpressionKind, Pou, Program, StandardFunction, Statement, Type,
     Unit, Variable, VariableId, VariableSection,
 };
-use stickler_types::ElementaryType;
+use stickler_types::{Dialect, ElementaryType};
 
 /// Plants one argument more than the function has inputs; the style must write positional arguments.
 ///
@@ -83,7 +83,7 @@ const fn takes_any_number(function: StandardFunction) -> bool {
     )
 }
 
-/// Plants a conversion function with two arguments, or with none; its result is of the type that the place expects.
+/// Plants a conversion function with one argument too many, or with none; its result is of the type that the place expects.
 ///
 /// Basis: conversion/bad-count.toml.
 pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
@@ -101,7 +101,9 @@ pub(super) fn conversion_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let from = fault.choose(sources(&expression))?;
     let into = written(&expression)?;
     let argument = literal_text(from);
-    let arguments = fault.choose(vec![String::new(), format!("{argument}, {argument}")])?;
+    // Where texts are written by a format, that is a second input.
+    let takes = 1 + usize::from(into.is_text() && Dialect::of(dialect).format_strings);
+    let arguments = fault.choose(vec![String::new(), vec![argument; takes + 1].join(", ")])?;
     fault.replace(
         number,
         ExpressionKind::Raw(format!("{from}_TO_{into}({arguments})")),
