@@ -20,7 +20,7 @@ use stickler_types::DialectName;
 use stickler_workers::WorkerPool;
 pub use write::ComplianceForm;
 
-/// What a compliance statement is made of.
+/// The system, the tables and the engine that a compliance statement is about.
 pub struct CompliancePlan<'a> {
     /// The sources and features, and the cases that an engine may be asked.
     pub suite: &'a Suite,

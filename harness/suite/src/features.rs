@@ -62,11 +62,11 @@ struct FeatureTable {
 words! {
     /// What a system declares of a feature.
     FeatureSupport {
-        /// Its edition of IEC 61131-3 has the feature, or its documents name it.
+        /// The edition of IEC 61131-3 that a system declares has the feature, or the documents of the system name it.
         Has = "has",
-        /// Its documents say that it lacks the feature.
+        /// The documents of a system say that it lacks the feature.
         Lacks = "lacks",
-        /// It declares nothing of the feature.
+        /// A system declares nothing of the feature.
         Open = "open",
     }
 }

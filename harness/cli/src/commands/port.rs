@@ -25,7 +25,7 @@ use stickler_types::{Diagnostic, DialectName, Severity, Value, counted};
 enum Kind {
     /// The dialect from which the program moves rejects it.
     Mistake,
-    /// The other dialect rejects it, or warns.
+    /// The dialect to which the program moves rejects a place, or warns of it.
     Rejected,
     /// Both accept it, and it means something else.
     Differs,

@@ -82,7 +82,7 @@ struct FunctionStatements {
     calls: usize,
     /// The number of its boundary values.
     boundaries: usize,
-    /// Its curve; none where a table shows as much.
+    /// The samples of a function that its pictures are drawn from; none where a table shows as much.
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<Curve>,
 }

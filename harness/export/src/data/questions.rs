@@ -10,7 +10,7 @@ use stickler_exact::Signature;
 use stickler_suite::{SourceKind, Sources};
 use stickler_types::{ConversionCall, DialectName, MatrixWord, Question, Value};
 
-/// How an answer is known.
+/// The kind of source that gives an answer to a question.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -48,7 +48,7 @@ impl Kind {
 struct Answer {
     /// A typed literal, or a word: `yes`, `no`, `warn`, `open` or `rejected`.
     answer: String,
-    /// How it is known.
+    /// The kind of source that gives the answer.
     kind: Kind,
     /// The source that states it, a key of `sources`; null where no source does.
     source: Option<String>,
