@@ -4,10 +4,10 @@
 //! Basis: iec-61131-3: 2.7.1 of the second edition, 6.5.5.3 and 6.8.1 of the third.
 
 use super::declare::Declarer;
-use super::model::{ConfiguredValue, TopLevelName};
+use super::model::{ConfiguredValue, Model};
 use super::types::TypeId;
-use rustc_hash::FxHashSet;
-use stickler_syntax::tree::{CaseFolded, Configuration, Name, PouKind, VariableGroup, VariableKind};
+use rustc_hash::{FxHashMap, FxHashSet};
+use stickler_syntax::tree::{CaseFolded, Configuration, Name, VariableGroup, VariableKind};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {
@@ -15,16 +15,19 @@ impl<'u> Declarer<'u, '_> {
     pub(super) fn configure_variables(&mut self) {
         let mut completed = FxHashSet::default();
         for configuration in std::mem::take(&mut self.configurations) {
+            let names = ConfiguredNames::of(configuration, &self.model);
             for section in &configuration.configured {
                 for group in &section.groups {
                     for path in &group.names {
-                        self.configure_variable(configuration, *path, group, &mut completed);
+                        self.configure_variable(&names, *path, group, &mut completed);
                     }
                 }
             }
             let resources = configuration.resources.iter();
             for program in resources.flat_map(|resource| &resource.programs) {
-                self.report_incomplete(program.name, program.type_name, &completed);
+                if let Some(&Some(instance)) = names.instances.get(&CaseFolded(program.name.text)) {
+                    self.report_incomplete(program.name, instance, &completed);
+                }
             }
         }
     }
@@ -32,37 +35,24 @@ impl<'u> Declarer<'u, '_> {
     /// Resolves `resource.instance.block.variable`, where the name of the resource may be left out.
     fn configure_variable(
         &mut self,
-        configuration: &Configuration<'u>,
+        names: &ConfiguredNames<'u>,
         path: Name<'u>,
         group: &'u VariableGroup<'u>,
         completed: &mut FxHashSet<CaseFolded<'u>>,
     ) {
-        let is_resource = |name: &str| {
-            let mut headers = configuration
-                .resources
-                .iter()
-                .filter_map(|resource| resource.header);
-            headers.any(|(header, _)| header.is(name))
-        };
         let path_text = match path.text.split_once('.') {
-            Some((first, rest)) if is_resource(first) && rest.contains('.') => rest,
+            Some((first, rest)) if names.resources.contains(&CaseFolded(first)) && rest.contains('.') => rest,
             _ => path.text,
         };
         let written = self.specification(&group.specification, path_text);
+        let (program, rest) = path_text.split_once('.').unwrap_or((path_text, ""));
+        let instance = names.instances.get(&CaseFolded(program)).copied();
         // Of a program that is not declared nothing more is said.
-        let mut programs = configuration
-            .resources
-            .iter()
-            .flat_map(|resource| &resource.programs);
-        let first = path_text.split('.').next().unwrap_or_default();
-        let is_program = |name: &str| {
-            let found = self.model.definitions.get(&CaseFolded(name));
-            matches!(found, Some(TopLevelName::Pou(_)))
-        };
-        if programs.any(|program| program.name.is(first) && !is_program(program.type_name.text)) {
+        if instance == Some(None) {
             return;
         }
-        let Some((instance, offset, ty)) = self.configured_place(path_text) else {
+        let Some((instance, offset, ty)) = instance.flatten().and_then(|at| self.configured_place(at, rest))
+        else {
             let message = format!("no program instance of the configuration has a variable `{path_text}`");
             self.report(Code::VariableUndefined, path.span, message);
             return;
@@ -87,48 +77,60 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
-    /// Returns the program instance, the distance from its address and the type of the variable that a path leads to.
-    fn configured_place(&self, path: &str) -> Option<(usize, u32, TypeId)> {
-        let mut names = path.split('.');
-        let program = names.next()?;
-        let instances = &self.model.instances;
-        let instance = instances
-            .iter()
-            .position(|instance| instance.name.eq_ignore_ascii_case(program))?;
-        let mut ty = self.model.pous[instances[instance].pou as usize].ty;
+    /// Returns a program instance with the distance from its address and the type of the variable that a path in it leads to.
+    fn configured_place(&self, instance: usize, path: &str) -> Option<(usize, u32, TypeId)> {
+        let mut ty = self.model.pous[self.model.instances[instance].pou as usize].ty;
         let mut offset = 0;
-        for name in names {
+        for name in path.split('.') {
             let member = self.model.types.member(ty, name)?;
             if member.kind == VariableKind::InOut || member.constant {
                 return None;
             }
             (ty, offset) = (member.ty, offset + member.offset);
         }
-        path.contains('.').then_some((instance, offset, ty))
+        Some((instance, offset, ty))
     }
 
     /// Reports the variables of a program whose location nothing completes for an instance of it.
-    fn report_incomplete(
-        &mut self,
-        instance: Name<'u>,
-        program: Name<'u>,
-        completed: &FxHashSet<CaseFolded<'u>>,
-    ) {
-        let pous = self.model.pous.iter().map(|entry| entry.pou);
-        let program = pous.filter(|pou| pou.kind == PouKind::Program && pou.name.is(program.text));
-        let groups = program
-            .flat_map(|pou| &pou.blocks)
-            .flat_map(|block| &block.groups);
+    fn report_incomplete(&mut self, name: Name<'u>, instance: usize, completed: &FxHashSet<CaseFolded<'u>>) {
+        let pou = self.model.instances[instance].pou;
+        let blocks = self.model.pous[pou as usize].pou.blocks.iter();
+        let groups = blocks.flat_map(|block| &block.groups);
         let names = groups
             .filter(|group| group.is_partly_located())
             .flat_map(|group| &group.names);
         let missing: Vec<String> = names
-            .map(|name| format!("{}.{}", instance.text, name.text))
+            .map(|variable| format!("{}.{}", name.text, variable.text))
             .filter(|path| !completed.contains(&CaseFolded(path.as_str())))
             .collect();
         for path in missing {
             let message = format!("no VAR_CONFIG completes the location of `{path}`");
-            self.report(Code::VariableUndefined, instance.span, message);
+            self.report(Code::VariableUndefined, name.span, message);
+        }
+    }
+}
+
+/// The names of a configuration that paths begin with.
+struct ConfiguredNames<'u> {
+    resources: FxHashSet<CaseFolded<'u>>,
+    /// The indices of the program instances; `None` for one whose program is not declared.
+    instances: FxHashMap<CaseFolded<'u>, Option<usize>>,
+}
+
+impl<'u> ConfiguredNames<'u> {
+    fn of(configuration: &Configuration<'u>, model: &Model<'u>) -> ConfiguredNames<'u> {
+        let resources = configuration.resources.iter();
+        let headers = resources.clone().filter_map(|resource| resource.header);
+        let programs = resources.flat_map(|resource| &resource.programs);
+        let mut instances: FxHashMap<_, _> = programs
+            .map(|program| (CaseFolded(program.name.text), None))
+            .collect();
+        for (index, instance) in model.instances.iter().enumerate().rev() {
+            instances.insert(CaseFolded(instance.name), Some(index));
+        }
+        ConfiguredNames {
+            resources: headers.map(|(name, _)| CaseFolded(name.text)).collect(),
+            instances,
         }
     }
 }
