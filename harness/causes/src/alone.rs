@@ -231,14 +231,7 @@ pub(crate) fn binary(
     program: &ReadProgram<'_, '_>,
     id: ExpressionId,
 ) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
-    match program.unit.expression(id)?.kind {
-        ExpressionKind::Binary {
-            operator,
-            left,
-            right,
-        } => Some((operator, left, right)),
-        _ => None,
-    }
+    program.unit.expression(id)?.binary()
 }
 
 /// Returns whether an operator calculates with numbers.
