@@ -24,7 +24,7 @@ pub use write::ComplianceForm;
 pub struct CompliancePlan<'a> {
     /// The sources and features, and the cases that an engine may be asked.
     pub suite: &'a Suite,
-    /// What documents state about the conversions of the dialect alone.
+    /// The statements of documents about the conversions of this dialect, and of no other.
     pub statements: &'a StatementsBuilder,
     /// The system.
     pub dialect: DialectName,
@@ -40,7 +40,7 @@ pub struct CompliancePlan<'a> {
 #[derive(Serialize)]
 pub struct ComplianceStatement {
     title: String,
-    /// What is claimed, in the words of the standard.
+    /// The claim of compliance, in the words that the standard prescribes.
     claim: String,
     sections: Vec<Section>,
     /// Whether something that was measured is not as it is declared or stated.

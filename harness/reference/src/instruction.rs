@@ -339,7 +339,7 @@ pub enum StandardFunction {
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
     /// a number, or infinite.
     Real(RealFunction),
-    /// The same, which faults with division-by-zero where the result is infinite though the operands are zero: LN and LOG of 0.
+    /// A function of real numbers as [`Instruction::Real`], but LN and LOG of 0, which would be infinite, fault with division-by-zero.
     RealOrStop(RealFunction),
     /// CONCAT_DATE and its kin: pops the numbers of a date, a time of day or both as i64, from the year or the hour on; faults with subrange where
     /// the type does not have them.

@@ -60,7 +60,7 @@ struct FeatureTable {
 }
 
 words! {
-    /// What a system declares of a feature.
+    /// The answer of a system to the question whether it has a feature.
     FeatureSupport {
         /// The edition of IEC 61131-3 that a system declares has the feature, or the documents of the system name it.
         Has = "has",

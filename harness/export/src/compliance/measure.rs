@@ -1,4 +1,4 @@
-//! What an engine does with the minimal programs of features, with cases that use them, and with the programs that measure parameters.
+//! Asks an engine to execute the minimal programs of features, cases that use them, and the programs that measure parameters.
 
 use super::CompliancePlan;
 use serde::Deserialize;
@@ -15,7 +15,7 @@ const MAX_CASES: usize = 4;
 /// The maximum length of what a message is quoted of, in characters.
 const MAX_QUOTE: usize = 160;
 
-/// What an engine does with features: a word, and an example where it is not `has`.
+/// The results of asking an engine for features: a word for each, and an example where that is not `has`.
 #[derive(Default)]
 pub(super) struct MeasuredFeatures(BTreeMap<String, (&'static str, String)>);
 

@@ -244,7 +244,7 @@ pub(super) enum Storage {
     Instance(u32),
     /// The address in the cell at an address (VAR_IN_OUT of a function); the limits of an ARRAY[*] lie in the cells behind it.
     AbsolutePointer(u32),
-    /// The same, in a cell of the instance (VAR_IN_OUT of a function block).
+    /// The address in a cell of the instance (VAR_IN_OUT of a function block).
     InstancePointer(u32),
 }
 

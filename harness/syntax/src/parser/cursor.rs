@@ -235,7 +235,7 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// Something behind a keyword or sign, where that stands here.
+    /// Reads what stands behind a keyword or sign, where the next token is that one.
     pub(super) fn optional<T>(
         &mut self,
         sign: TokenKind,

@@ -28,7 +28,7 @@ pub(super) struct Typed<'s> {
     types: HashMap<ExpressionId, (ElementaryType, ElementaryType)>,
     /// The folder of cases, if there is one.
     cases: Option<CaseFolder>,
-    /// What cases assert of conversion functions.
+    /// The results of conversion functions that cases assert, by the name of the function.
     asserted: HashMap<String, Vec<AssertedResult>>,
     /// The results of [`first_difference`], by the texts of both programs.
     compared: HashMap<[String; 2], Option<Option<Difference>>>,
@@ -41,7 +41,7 @@ struct Operation {
     function: String,
     /// The operands that are literals and whose type is known.
     literals: Vec<Value>,
-    /// The other operands, and which of [`Operation::operands`] each is.
+    /// The operands that are no literals, each with its index in [`Operation::operands`].
     places: Vec<(ExpressionId, usize)>,
     /// The different ones of them, with their types.
     operands: Vec<(ExpressionId, ElementaryType)>,
