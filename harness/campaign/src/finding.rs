@@ -9,6 +9,9 @@ use stickler_types::{DialectName, Fnv1a};
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
 
+/// The [target](Finding::target) of a finding of a campaign with engines.
+pub const DIFFERENTIAL: &str = "differential";
+
 /// The number of characters of a symptom that stand in a name at most; some compilers say much.
 const MAX_KIND_LEN: usize = 40;
 
@@ -22,7 +25,7 @@ pub struct Finding {
     pub id: String,
     /// The version of Stickler that found it.
     pub stickler: String,
-    /// The target whose oracle found it.
+    /// The target whose oracle found it, or [`DIFFERENTIAL`].
     pub target: String,
     /// The engine that disagrees; `None` where it is the reference, asked by a target of its own.
     pub engine: Option<EngineInfo>,
@@ -220,7 +223,7 @@ impl Finding {
         }
     }
 
-    /// Returns the target, if this version of Stickler has it.
+    /// Returns the fuzz target, if one found it and this version of Stickler has it.
     #[must_use]
     pub fn target(&self) -> Option<FuzzTarget> {
         FuzzTarget::from_word(&self.target)

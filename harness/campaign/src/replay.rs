@@ -3,7 +3,7 @@
 use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask, compare, describe};
 use crate::finding::{EngineReport, ExpectedBehavior, Finding};
 use stickler_engines::{EngineError, EngineSession, Outcome};
-use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
+use stickler_generate::oracles::{InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
 
 /// The result of judging a finding again.
@@ -36,10 +36,9 @@ pub fn replay(finding: &Finding, engines: &[EngineUnderTest<'_>]) -> Result<Repl
             }
         }
     }
-    replayed.judged = match finding.target() {
-        Some(FuzzTarget::Differential) | None => None,
-        Some(target) => (!finding.input.is_empty()).then(|| target.judge(&finding.input)),
-    };
+    if let Some(target) = finding.target().filter(|_| !finding.input.is_empty()) {
+        replayed.judged = Some(target.judge(&finding.input));
+    }
     Ok(replayed)
 }
 

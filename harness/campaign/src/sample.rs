@@ -1,7 +1,7 @@
 //! Findings for tests.
 
 use crate::finding::{
-    Confirmation, EngineInfo, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+    Confirmation, DIFFERENTIAL, EngineInfo, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
 };
 
 /// Returns a finding of an engine of this name.
@@ -10,7 +10,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         format: FORMAT,
         id: String::new(),
         stickler: env!("CARGO_PKG_VERSION").to_owned(),
-        target: "differential".to_owned(),
+        target: DIFFERENTIAL.to_owned(),
         engine: Some(EngineInfo {
             name: engine.to_owned(),
             version: "1".to_owned(),

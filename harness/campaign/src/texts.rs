@@ -16,9 +16,7 @@ pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
         FuzzTarget::CaseFile => mutated(case_file(inputs, place), &mut draws),
         FuzzTarget::Literal => mutated(literal(&mut draws), &mut draws),
         FuzzTarget::Protocol => mutated(conversation(inputs, place), &mut draws),
-        FuzzTarget::Convert | FuzzTarget::Check | FuzzTarget::Execute | FuzzTarget::Differential => {
-            inputs.bytes(place)
-        }
+        FuzzTarget::Convert | FuzzTarget::Check | FuzzTarget::Execute => inputs.bytes(place),
     }
 }
 

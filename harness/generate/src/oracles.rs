@@ -3,7 +3,6 @@
 mod case_file;
 mod check;
 mod convert;
-pub mod differential;
 pub mod execute;
 mod failure;
 mod literal;

@@ -7,13 +7,12 @@ use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
 use crate::finding::{
-    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+    Confirmation, DIFFERENTIAL, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
 };
 use crate::oracle::Mismatch;
 use stickler_causes::CauseKey;
 use stickler_engines::Outcome;
 use stickler_generate::model::Program;
-use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::reduce;
 use stickler_reduce::{CandidateJudge, Interestingness, ReductionBudget, StopReason};
 
@@ -115,7 +114,7 @@ impl DifferentialWorker<'_> {
             format: FORMAT,
             id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: FuzzTarget::Differential.as_str().to_owned(),
+            target: DIFFERENTIAL.to_owned(),
             engine: Some(self.oracle.engines[index].info()),
             symptom: mismatch.symptom.clone(),
             rule,

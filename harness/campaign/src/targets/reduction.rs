@@ -95,6 +95,5 @@ const fn claim(target: FuzzTarget) -> &'static str {
         }
         FuzzTarget::CaseFile => "any case file gives cases or located errors",
         FuzzTarget::Protocol => "every line is answered",
-        FuzzTarget::Differential => "an engine gives the evaluator's values",
     }
 }

@@ -15,7 +15,7 @@ use stickler_workers::Shard;
 pub struct FuzzArguments {
     /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
     /// convert, literal, parse]
-    #[arg(long, value_name = "TARGET", value_parser = super::one_of(targets(), FuzzTarget::as_str), conflicts_with_all = ["engine", "dialect"])]
+    #[arg(long, value_name = "TARGET", value_parser = super::one_of(FuzzTarget::ALL, FuzzTarget::as_str), conflicts_with_all = ["engine", "dialect"])]
     pub target: Vec<FuzzTarget>,
     /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
     /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
@@ -108,11 +108,6 @@ pub struct MergeArguments {
     /// Where to put them together: the reports of the whole run, or all findings
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
-}
-
-fn targets() -> impl Iterator<Item = FuzzTarget> {
-    let all = FuzzTarget::ALL.into_iter();
-    all.filter(|target| *target != FuzzTarget::Differential)
 }
 
 /// Reads `90s`, `10m`, `2h`, `500ms`; a number alone is seconds.

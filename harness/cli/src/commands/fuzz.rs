@@ -19,6 +19,7 @@ use page::FuzzPage;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use stickler_campaign::finding::DIFFERENTIAL;
 use stickler_campaign::{
     CampaignEnd, CampaignEvent, CampaignPlan, CampaignRequest, CampaignSummary, DifferentialOracle,
     EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
@@ -91,7 +92,7 @@ fn campaign_on_engines(
     let under_test: Vec<EngineUnderTest<'_>> = engines.iter().map(under_test).collect();
     let surveyed = surveyed(arguments, &under_test, &dialects)?;
     let request = CampaignRequest {
-        targets: vec![FuzzTarget::Differential.as_str().to_owned()],
+        targets: vec![DIFFERENTIAL.to_owned()],
         engines: engines
             .iter()
             .map(|named| named.identity().name.clone())

@@ -1,9 +1,7 @@
 //! The fuzz targets: their names, and the single entry point through which libFuzzer, replays, tests and campaigns judge an
 //! input.
 
-use super::{
-    InputOutcome, OracleFailure, case_file, check, convert, differential, execute, literal, parse, protocol,
-};
+use super::{InputOutcome, OracleFailure, case_file, check, convert, execute, literal, parse, protocol};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_types::words;
@@ -29,8 +27,6 @@ words! {
         CaseFile = "case_file",
         /// The input is the traffic of the wire protocol: every line is answered.
         Protocol = "protocol",
-        /// The input encodes a well-typed program: an engine named in the environment gives the values of the evaluator.
-        Differential = "differential",
     }
 }
 
@@ -59,7 +55,6 @@ impl FuzzTarget {
             FuzzTarget::Execute => execute::execute,
             FuzzTarget::CaseFile => case_file::judge,
             FuzzTarget::Protocol => protocol::judge,
-            FuzzTarget::Differential => differential::differential,
         }
     }
 }
