@@ -3,20 +3,14 @@
 //! The evaluator computes what the documents say a program gives, without any engine. So one engine is enough, and two that
 //! are wrong alike are both found.
 
-mod comparison;
-mod describe;
 mod engine;
-mod evaluated;
-mod pack;
+mod question;
 mod reduction;
 mod worker;
 
-pub(crate) use comparison::{Agreement, JudgedProgram, compare};
-pub(crate) use describe::describe;
 pub use engine::EngineUnderTest;
-pub(crate) use engine::{ask, ask_all};
-pub(crate) use evaluated::EvaluatedProgram;
-pub use pack::PackPolicy;
+pub(crate) use engine::{ask, ask_all, describe};
+pub(crate) use question::{Agreement, EvaluatedProgram, JudgedProgram, compare};
 pub(crate) use reduction::expected;
 
 use crate::commands::ReproductionCommands;
@@ -39,8 +33,6 @@ pub struct DifferentialOracle<'e> {
     pub open: bool,
     /// The parts of the language that programs shall not have.
     pub without: Exclusions,
-    /// Whether an engine is given several programs at a time.
-    pub packs: PackPolicy,
     /// The parts from which the commands of a finding are written.
     pub commands: ReproductionCommands,
 }

@@ -34,7 +34,7 @@ mod targets;
 mod texts;
 
 pub use commands::ReproductionCommands;
-pub use differential::{DifferentialOracle, EngineUnderTest, PackPolicy};
+pub use differential::{DifferentialOracle, EngineUnderTest};
 pub use exclusions::{Exclusions, UnknownWord};
 pub use finding::Finding;
 pub use inputs::Inputs;

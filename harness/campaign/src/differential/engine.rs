@@ -1,9 +1,10 @@
-//! An engine of a campaign.
+//! An engine of a campaign, what it is asked, and the text in which a finding saves what it did.
 
-use super::comparison::{Agreement, JudgedProgram, compare};
-use crate::finding::EngineInfo;
+use super::question::{Agreement, JudgedProgram, compare};
+use crate::finding::{EngineInfo, EngineReport};
 use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, Packed, RunRequest};
-use stickler_types::DialectName;
+use stickler_generate::reduce::diagnostic_line;
+use stickler_types::{DialectName, Value};
 
 /// An engine that takes part in a campaign, with the name by which it was asked for.
 #[derive(Clone, Copy)]
@@ -128,4 +129,41 @@ pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Re
 /// Returns whether the engine died over the question and has to be started again.
 pub(super) const fn has_died(outcome: &Outcome) -> bool {
     matches!(outcome, Outcome::Crashed { .. } | Outcome::TimedOut { .. })
+}
+
+/// Describes an outcome, one fact a line.
+pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
+    let values = |values: &[(String, Value)]| {
+        values
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect::<Vec<String>>()
+    };
+    let (word, said) = match outcome {
+        Outcome::Accepted { .. } => ("accepted", Vec::new()),
+        Outcome::Executed { values: got, .. } => ("executed", values(got)),
+        Outcome::Rejected { diagnostics } => ("rejected", diagnostics.iter().map(diagnostic_line).collect()),
+        Outcome::Faulted {
+            fault,
+            line,
+            values: got,
+            ..
+        } => {
+            let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
+            let mut said = vec![format!("{fault}{line}")];
+            said.extend(values(got));
+            ("faulted", said)
+        }
+        Outcome::Rendered { .. } => ("rendered", Vec::new()),
+        Outcome::Unsupported { reason } => ("unsupported", vec![reason.clone()]),
+        Outcome::NotImplemented { reason } => ("not implemented", vec![reason.clone()]),
+        Outcome::Crashed { reason } | Outcome::Unusable { reason } => ("crashed", vec![reason.clone()]),
+        Outcome::TimedOut { .. } => ("timed out", vec![outcome.to_string()]),
+        Outcome::Error { message } => ("error", vec![message.clone()]),
+    };
+    EngineReport {
+        engine,
+        outcome: word.to_owned(),
+        said,
+    }
 }

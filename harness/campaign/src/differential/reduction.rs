@@ -1,9 +1,7 @@
 //! Reduces a mismatch of an engine, runs it once more, and makes a finding of it.
 
-use super::comparison::Agreement;
-use super::describe::describe;
-use super::engine::{EngineUnderTest, has_died};
-use super::evaluated::EvaluatedProgram;
+use super::engine::{EngineUnderTest, describe, has_died};
+use super::question::{Agreement, EvaluatedProgram};
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
 use crate::finding::{

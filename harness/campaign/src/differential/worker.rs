@@ -1,13 +1,10 @@
-//! A worker with a session of each engine: programs are judged alone or in packs.
+//! A worker with a session of each engine: programs are judged alone, or in packs where an engine takes several at a time.
 
 use super::DifferentialOracle;
-use super::comparison::{Agreement, JudgedProgram, compare};
 use super::engine::{ask, ask_all, has_died, lives};
-use super::evaluated::EvaluatedProgram;
-use super::pack::{MAX_PACK_LEN, Pack, PackPolicy, is_slow, packs};
+use super::question::{Agreement, EvaluatedProgram, JudgedProgram, compare};
 use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
-use std::time::{Duration, Instant};
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::features::distinctive;
 use stickler_types::DialectName;
@@ -16,8 +13,6 @@ use stickler_types::DialectName;
 pub(super) struct DifferentialWorker<'b> {
     pub(super) oracle: &'b DifferentialOracle<'b>,
     sessions: Vec<EngineSession<'b>>,
-    /// The least time that each engine took for a program alone; `None` before the first one.
-    quickest: Vec<Option<Duration>>,
     /// The reason for which an engine does not answer any more, by its number; `None` where it does.
     lost: Vec<Option<String>>,
 }
@@ -43,7 +38,6 @@ impl<'b> DifferentialWorker<'b> {
         Ok(DifferentialWorker {
             oracle,
             sessions: sessions.collect::<Result<_, _>>()?,
-            quickest: vec![None; oracle.engines.len()],
             lost: vec![None; oracle.engines.len()],
         })
     }
@@ -65,110 +59,30 @@ impl<'b> DifferentialWorker<'b> {
         }
     }
 
-    /// Asks one engine about all inputs whose dialect it speaks; in packs, where it is slow. Returns whether the engine
-    /// lives.
+    /// Asks one engine about all inputs whose dialect it speaks, as many at a time as it takes. Returns whether the engine lives, and was
+    /// asked about all of them.
     fn ask_all(&mut self, index: usize, inputs: &mut [JudgedInput], going: &dyn Fn() -> bool) -> bool {
         let identity = self.oracle.engines[index].identity();
-        let speaks = |number: &usize| {
-            inputs[*number]
-                .dialect()
-                .is_some_and(|dialect| identity.speaks(dialect))
-        };
-        let mut alone: Vec<usize> = (0..inputs.len()).filter(speaks).collect();
-        if self.pack_size(index) > 1 {
-            return self.ask_in_packs(index, alone, inputs, going);
-        }
-        if self.packs(index) {
-            for dialect in DialectName::ALL {
-                let pack = |number: &usize| {
-                    let subject = inputs[*number].subject.as_ref();
-                    subject.is_some_and(|subject| subject.program.dialect == dialect && packs(subject))
-                };
-                let together: Vec<usize> = alone.iter().copied().filter(pack).collect();
-                alone.retain(|number| !together.contains(number));
-                let mut together = together.chunks(MAX_PACK_LEN);
-                if !together.all(|pack| self.ask_pack(index, pack, inputs, going)) {
-                    return false;
-                }
-            }
-        }
-        alone
-            .iter()
-            .all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
-    }
-
-    /// Asks an engine that takes several programs at a time. Returns whether it lives, and was asked about all of them.
-    fn ask_in_packs(
-        &mut self,
-        index: usize,
-        mut numbers: Vec<usize>,
-        inputs: &mut [JudgedInput],
-        going: &dyn Fn() -> bool,
-    ) -> bool {
         let dialect = |number: &usize| inputs[*number].dialect();
+        let speaks = |number: &usize| dialect(number).is_some_and(|dialect| identity.speaks(dialect));
+        let mut numbers: Vec<usize> = (0..inputs.len()).filter(speaks).collect();
         numbers.sort_by_key(dialect);
-        let groups: Vec<Vec<usize>> = numbers
-            .chunk_by(|one, other| dialect(one) == dialect(other))
-            .map(<[usize]>::to_vec)
+        let of_one_dialect = numbers.chunk_by(|one, other| dialect(one) == dialect(other));
+        let packs: Vec<&[usize]> = of_one_dialect
+            .flat_map(|group| group.chunks(self.pack_size(index)))
             .collect();
-        groups.iter().all(|group| {
-            let subjects = subjects(group, inputs);
+        packs.into_iter().all(|pack| {
+            let subjects: Vec<&EvaluatedProgram> = pack
+                .iter()
+                .filter_map(|&number| inputs[number].subject.as_ref())
+                .collect();
             let outcomes = self.hold_all(index, &subjects, going);
-            let mut all = group.iter().zip(outcomes);
-            all.all(|(&number, outcome)| {
+            pack.iter().zip(outcomes).all(|(&number, outcome)| {
                 outcome.is_some_and(|(outcome, agreement)| {
                     self.enter(index, &mut inputs[number], &outcome, &agreement)
                 })
             })
         })
-    }
-
-    /// Returns whether an engine that takes one program at a time is given several as one.
-    fn packs(&self, index: usize) -> bool {
-        match self.oracle.packs {
-            PackPolicy::WhereSlow => is_slow(self.quickest[index]),
-            PackPolicy::Never => false,
-            PackPolicy::Always => true,
-        }
-    }
-
-    /// Asks about several programs of one dialect at once; where the engine does not agree, about each alone. Whether the engine lives.
-    fn ask_pack(
-        &mut self,
-        index: usize,
-        numbers: &[usize],
-        inputs: &mut [JudgedInput],
-        going: &dyn Fn() -> bool,
-    ) -> bool {
-        let subjects = subjects(numbers, inputs);
-        let Some(pack) = Pack::of(&subjects) else {
-            return true;
-        };
-        if !going() {
-            return false;
-        }
-        let outcome = ask(&mut self.sessions[index], pack.question());
-        if compare(pack.question(), &outcome) == Agreement::Agrees {
-            numbers.iter().for_each(|&number| inputs[number].asked += 1);
-            return true;
-        }
-        if has_died(&outcome) && !self.lives(index, subjects[0].program.dialect) {
-            return false;
-        }
-        let mut numbers = numbers.iter();
-        numbers.all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
-    }
-
-    /// Asks about one program. Returns whether the engine lives.
-    fn ask_alone(&mut self, index: usize, input: &mut JudgedInput) -> bool {
-        let Some(subject) = &input.subject else {
-            return true;
-        };
-        let begun = Instant::now();
-        let (outcome, agreement) = self.hold(index, subject);
-        let quickest = self.quickest[index].get_or_insert(Duration::MAX);
-        *quickest = begun.elapsed().min(*quickest);
-        self.enter(index, input, &outcome, &agreement)
     }
 
     /// Adds to the verdict on a program what an engine did with it. Returns whether the engine lives.
@@ -229,12 +143,9 @@ impl<'b> DifferentialWorker<'b> {
         compared.collect()
     }
 
-    /// Returns how many programs an engine is best given at a time.
+    /// Returns how many programs an engine is best given at a time, at least one.
     pub(super) fn pack_size(&self, index: usize) -> usize {
-        match self.oracle.packs {
-            PackPolicy::Never => 1,
-            PackPolicy::WhereSlow | PackPolicy::Always => self.sessions[index].engine().pack_size(),
-        }
+        self.sessions[index].engine().pack_size().max(1)
     }
 
     /// Returns whether an engine that has died can be started again; if not, the campaign is at its end.
@@ -252,14 +163,6 @@ impl<'b> DifferentialWorker<'b> {
     pub(super) fn gone(&self, index: usize) -> Option<&str> {
         self.lost[index].as_deref()
     }
-}
-
-/// Returns the programs of these inputs.
-fn subjects<'i>(numbers: &[usize], inputs: &'i [JudgedInput]) -> Vec<&'i EvaluatedProgram> {
-    numbers
-        .iter()
-        .filter_map(|&number| inputs[number].subject.as_ref())
-        .collect()
 }
 
 impl JudgedInput {

@@ -1,30 +1,18 @@
 //! The same seed finds the same: on one thread and on several, on one machine and in parts.
 
-use crate::engines::{Defect, defective, dying};
+use crate::engines::{Defect, defective};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use stickler_campaign::{
     CampaignPlan, CampaignSummary, DifferentialOracle, EngineUnderTest, Exclusions, Finding, Inputs,
-    PackPolicy, ReproductionCommands, Store, Until, merge, run,
+    ReproductionCommands, Store, Until, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Shard};
 
-/// A campaign of the reference and this engine, which are asked for one program at a time.
+/// A campaign of the reference and this engine.
 pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> CampaignSummary {
-    campaign_with(PackPolicy::Never, engine, shard, count, jobs)
-}
-
-fn campaign_with(
-    packs: PackPolicy,
-    engine: &dyn Engine,
-    shard: Shard,
-    count: u64,
-    jobs: usize,
-) -> CampaignSummary {
     let reference = Reference::default();
     let under_test = |engine, asked_for| EngineUnderTest {
         engine,
@@ -37,11 +25,9 @@ fn campaign_with(
             under_test(engine, "cmd:defective"),
         ],
         inputs: Inputs::new(11),
-        // A pack has programs of one dialect, so that few dialects make large packs.
         dialects: DialectName::ALL[..7].to_vec(),
         open: false,
         without: Exclusions::default(),
-        packs,
         commands: ReproductionCommands {
             program: "stickler".to_owned(),
             folder: PathBuf::from("reports/findings"),
@@ -75,29 +61,6 @@ fn the_number_of_jobs_changes_nothing_that_is_found() {
     let one = of(1);
     assert!(!one.is_empty());
     assert_eq!(one, of(4));
-}
-
-#[test]
-fn packs_change_nothing_that_is_found() {
-    let of = |packs| {
-        let engine = defective(Defect::DiesOver("WHILE "));
-        campaign_with(packs, &engine, Shard::WHOLE, 64, 1)
-    };
-    let (alone, packed) = (of(PackPolicy::Never), of(PackPolicy::Always));
-    assert!(!alone.findings.is_empty());
-    assert_eq!(alone.findings, packed.findings);
-    assert_eq!(alone.disagreements, packed.disagreements);
-    assert_eq!(alone.programs, packed.programs);
-}
-
-#[test]
-fn an_engine_that_is_right_is_asked_about_the_programs_of_a_pack_at_once() {
-    let requests = Arc::<AtomicU64>::default();
-    let right = dying(Defect::None, u64::MAX, Arc::clone(&requests));
-    let summary = campaign_with(PackPolicy::Always, &right, Shard::WHOLE, 160, 1);
-    assert_eq!((summary.programs, summary.findings.len()), (160, 0));
-    let requests = requests.load(Ordering::Relaxed);
-    assert!(requests < 80, "{requests}");
 }
 
 #[test]

@@ -22,8 +22,7 @@ use std::time::{Duration, Instant};
 use stickler_campaign::finding::DIFFERENTIAL;
 use stickler_campaign::{
     CampaignEnd, CampaignEvent, CampaignPlan, CampaignRequest, CampaignSummary, DifferentialOracle,
-    EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
-    Until,
+    EngineUnderTest, Exclusions, Inputs, Oracle, ReproductionCommands, Store, TargetOracle, Until,
 };
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
@@ -111,7 +110,6 @@ fn campaign_on_engines(
         dialects,
         open: arguments.open,
         without: Exclusions::new(&surveyed.without)?,
-        packs: PackPolicy::WhereSlow,
         commands: commands(arguments, &surveyed, &store),
     };
     let plan = plan(arguments, begun.elapsed(), batch);
