@@ -109,18 +109,6 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
     })
 }
 
-/// Returns whether the next finite number toward zero is only half as far away as the next one on the other side: true of
-/// powers of two, except the least normal number.
-pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
-    let format = FormatParameters::of(ty);
-    match decode(raw, ty) {
-        Real::Finite(number) => {
-            number.significand == 1 << (format.precision - 1) && number.exponent > format.least_exponent
-        }
-        _ => false,
-    }
-}
-
 /// Returns the raw form of the one NaN that conversions give: quiet, positive, without a payload.
 pub(crate) const fn not_a_number(to: ElementaryType) -> u64 {
     let format = FormatParameters::of(to);

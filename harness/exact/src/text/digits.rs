@@ -1,208 +1,181 @@
-//! Decimal digits of real numbers: the fewest that read back, or a given number of them, by exact integers.
+//! Decimal digits of real numbers: the fewest that read back, or a given number of them.
+//!
+//! The standard library finds the digits. It writes a number exactly: in the fewest digits that read back, those nearest to it, or in a given
+//! number of digits, rounded half to even.
 
 use crate::quotient;
-use crate::real::{self, Real, Whole};
+use crate::real::{self, Finite, Real, Whole};
 use num_bigint::BigUint;
-use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
-use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Rounding};
 
-/// A positive number in decimal digits: `d.ddd * 10^exponent`.
+/// A number without its sign in decimal digits: `d.ddd * 10^exponent`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct RoundedDecimal {
-    /// The digits, each from 0 to 9, the first and the last of them not 0.
-    pub(super) digits: Vec<u8>,
+    /// The digits, the first and the last of them not 0; none of 0.
+    pub(super) digits: String,
     /// The power of ten of the first digit.
     pub(super) exponent: i32,
 }
 
-/// A positive fraction of integers of any size.
-struct DecimalFraction {
-    numerator: BigUint,
-    denominator: BigUint,
-}
-
-impl DecimalFraction {
-    /// Returns `significand * 2^exponent` as a fraction.
-    fn binary(significand: u64, exponent: i32) -> DecimalFraction {
-        DecimalFraction {
-            numerator: BigUint::from(significand) << u32::try_from(exponent).unwrap_or(0),
-            denominator: BigUint::from(1_u32) << u32::try_from(-exponent).unwrap_or(0),
+impl RoundedDecimal {
+    /// Reads what the standard library writes: `-1.25e-7`.
+    fn read(scientific: &str) -> RoundedDecimal {
+        let (digits, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
+        let digits = digits.replace(['.', '-'], "");
+        RoundedDecimal {
+            digits: digits.trim_end_matches('0').to_owned(),
+            exponent: exponent.parse().unwrap_or(0),
         }
-    }
-
-    /// Returns the fraction multiplied by 10^places.
-    fn scaled(&self, places: i32) -> DecimalFraction {
-        let power = |places: i32| BigUint::from(10_u32).pow(u32::try_from(places).unwrap_or(0));
-        DecimalFraction {
-            numerator: &self.numerator * power(places),
-            denominator: &self.denominator * power(-places),
-        }
-    }
-
-    /// Returns the greatest integer that is not above the fraction, and whether there is a rest.
-    fn floor(&self) -> (BigUint, bool) {
-        let (below, rest) = self.numerator.div_rem(&self.denominator);
-        (below, !rest.is_zero())
-    }
-
-    /// Returns the power of ten of the first digit.
-    fn decimal_exponent(&self) -> i32 {
-        let bits = |n: &BigUint| i64::try_from(n.bits()).unwrap_or(i64::MAX);
-        // The logarithm to base 2 is above this, by less than two; 30103 / 100000 is that of 2 to base 10, rounded up.
-        let log = bits(&self.numerator) - bits(&self.denominator) - 1;
-        let mut exponent = (log * 30_103).div_euclid(100_000) as i32 - 1;
-        while self.scaled(-exponent - 1).floor().0 > BigUint::zero() {
-            exponent += 1;
-        }
-        exponent
     }
 }
 
-/// Returns the fewest digits that read back to the positive finite number `significand * 2^exponent` of the type; among
-/// equally few digits those nearest to the number, and of two equally near ones the greater.
-///
-/// `is_lowest_of_binade` tells that the next smaller number is only half as far away as the next greater one.
+/// Returns the fewest digits that read back to a finite number of the type; among equally few digits those nearest to the number.
 ///
 /// Basis: harness/engines/README.md (how values are written), which leaves the nearness open.
-pub(super) fn shortest(
-    significand: u64,
-    exponent: i32,
-    is_lowest_of_binade: bool,
-    ty: ElementaryType,
-) -> RoundedDecimal {
-    // 9 and 17 digits always read back; one more decides to which side the last of them is rounded.
-    let most = if ty == ElementaryType::Real { 10 } else { 18 };
-    let number = DecimalFraction::binary(significand, exponent);
-    let first = number.decimal_exponent();
-    let places = most - 1 - first;
-    // What reads back lies between the middles to both neighbours. A middle itself reads as the even one.
-    let below = if is_lowest_of_binade {
-        DecimalFraction::binary(4 * significand - 1, exponent - 2)
-    } else {
-        DecimalFraction::binary(2 * significand - 1, exponent - 1)
-    };
-    let interval = Interval {
-        least: Bound::of(&below, places),
-        number: Bound::of(&number, places),
-        greatest: Bound::of(
-            &DecimalFraction::binary(2 * significand + 1, exponent - 1),
-            places,
-        ),
-        closed: significand.is_multiple_of(2),
-    };
-    let found = (1..=most.unsigned_abs())
-        .rev()
-        .find_map(|dropped| interval.nearest_multiple(10_u64.pow(dropped)));
-    decimal(&found.unwrap_or(interval.number.floor).to_string(), -places)
+pub(super) fn shortest(raw: u64, ty: ElementaryType) -> RoundedDecimal {
+    RoundedDecimal::read(&match ty {
+        // A REAL has 32 bits.
+        ElementaryType::Real => format!("{:e}", f32::from_bits(raw as u32)),
+        _ => format!("{:e}", f64::from_bits(raw)),
+    })
 }
 
-/// A bound, scaled so that the digits in question are whole: equal to `floor`, or greater by less than 1.
-#[derive(Clone, Copy)]
-struct Bound {
-    floor: u64,
-    has_rest: bool,
+/// Returns a finite number with `count` significant digits, at least one, rounded half to even, without zeros at the end.
+pub(super) fn significant(raw: u64, ty: ElementaryType, count: u8) -> RoundedDecimal {
+    let places = usize::from(count.max(1)) - 1;
+    // Each REAL is a number of the wider format too.
+    let number = ty.real_value(raw).unwrap_or_default();
+    RoundedDecimal::read(&format!("{number:.places$e}"))
 }
 
-impl Bound {
-    fn of(fraction: &DecimalFraction, places: i32) -> Bound {
-        let (floor, has_rest) = fraction.scaled(places).floor();
-        Bound {
-            // About eighteen digits.
-            floor: floor.to_u64().unwrap_or(u64::MAX),
-            has_rest,
-        }
-    }
-
-    /// Compares an integer with the bound.
-    fn order(self, integer: u64) -> Ordering {
-        match integer.cmp(&self.floor) {
-            Ordering::Equal if self.has_rest => Ordering::Less,
-            order => order,
-        }
-    }
-}
-
-/// A number, and the bounds of the interval in which every number reads back to it.
-struct Interval {
-    least: Bound,
-    number: Bound,
-    greatest: Bound,
-    /// Whether the bounds belong to the interval.
-    closed: bool,
-}
-
-impl Interval {
-    /// Returns the multiple of an even `step` that lies within the bounds and nearest to the number; of two equally near
-    /// ones the greater.
-    ///
-    /// If any multiple lies within, so does the next one below the number or the next one above.
-    fn nearest_multiple(&self, step: u64) -> Option<u64> {
-        let below = self.number.floor / step * step;
-        let above = below + step;
-        // Half a step is whole, so that what follows the number's floor cannot decide between below and above.
-        let candidates = if self.number.floor - below < step / 2 {
-            [below, above]
-        } else {
-            [above, below]
-        };
-        candidates.into_iter().find(|&candidate| self.contains(candidate))
-    }
-
-    fn contains(&self, integer: u64) -> bool {
-        let (above, below) = (self.least.order(integer), self.greatest.order(integer));
-        match self.closed {
-            true => above.is_ge() && below.is_le(),
-            false => above.is_gt() && below.is_lt(),
-        }
-    }
-}
-
-/// Returns the positive number `significand * 2^exponent` with `count` significant digits, at least one, rounded half to
-/// even, without zeros at the end.
-pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> RoundedDecimal {
-    let number = DecimalFraction::binary(significand, exponent);
-    let places = i32::from(count.max(1)) - 1 - number.decimal_exponent();
-    let scaled = number.scaled(places);
-    let rounded = quotient::half_to_even(&scaled.numerator, &scaled.denominator);
-    decimal(&rounded.to_string(), -places)
-}
-
-/// Returns the positive number `significand * 2^exponent` of a type as [`stickler_types::RealText::ByWidth`] scales and rounds it.
-pub(super) fn scaled(significand: u64, exponent: i32, ty: ElementaryType) -> RoundedDecimal {
-    let number = DecimalFraction::binary(significand, exponent);
+/// Returns a positive number of a type as [`stickler_types::RealText::ByWidth`] scales and rounds it; `raw` is its raw form.
+pub(super) fn scaled(number: Finite, raw: u64, ty: ElementaryType) -> RoundedDecimal {
+    let Finite {
+        significand,
+        exponent,
+        ..
+    } = number;
     let places = if ty == ElementaryType::Real {
         // Basis: codesys-recording: REAL_TO_STRING; the digits that it shows follow from 10/33 in the place of the logarithm of 2.
         let binary = exponent + significand.ilog2() as i32;
         6 - (binary * 10).div_euclid(33)
     } else {
-        14 - number.decimal_exponent()
+        // So many digits that none of them is rounded up to the next power of ten.
+        14 - significant(raw, ty, u8::MAX).exponent
     };
-    let scaled = number.scaled(places);
-    let raw = quotient::nearest(false, &scaled.numerator, &scaled.denominator, ty);
+    let part = |places: i32, bits: i32| {
+        let power = BigUint::from(10_u32).pow(u32::try_from(places).unwrap_or(0));
+        power << u32::try_from(bits).unwrap_or(0)
+    };
+    let numerator = part(places, exponent) * significand;
+    let raw = quotient::nearest(false, &numerator, &part(-places, -exponent), ty);
     let whole = match real::decode(raw, ty) {
         Real::Finite(number) => real::to_whole(number, Rounding::HalfAwayFromZero),
         _ => Whole::Huge { negative: false },
     };
-    match whole {
-        Whole::Number(number) => decimal(&number.to_string(), -places),
-        Whole::Huge { .. } => decimal("0", 0),
-    }
-}
-
-/// Returns the positive number with these decimal digits times 10^`exponent`.
-fn decimal(written: &str, exponent: i32) -> RoundedDecimal {
-    let digits: Vec<u8> = written
-        .trim_end_matches('0')
-        .bytes()
-        .map(|digit| digit - b'0')
-        .collect();
+    let digits = match whole {
+        Whole::Number(number) => number.to_string(),
+        Whole::Huge { .. } => "0".to_owned(),
+    };
     RoundedDecimal {
-        digits,
-        exponent: exponent + written.len() as i32 - 1,
+        exponent: digits.len() as i32 - 1 - places,
+        digits: digits.trim_end_matches('0').to_owned(),
     }
 }
 
 #[cfg(test)]
-mod tests;
+mod tests {
+    use super::*;
+    use ElementaryType::{Lreal, Real as Single};
+    use num_bigint::BigInt;
+    use num_rational::Ratio;
+    use stickler_types::SplitMix64;
+
+    type Fraction = Ratio<BigInt>;
+
+    /// Returns raw forms of positive finite numbers around each power of two, and scattered ones.
+    fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
+        let (shift, exponents) = if ty == Single { (23, 255) } else { (52, 2047) };
+        let scattered = SplitMix64::new(1)
+            .numbers()
+            .map(move |bits| (bits >> 1) % (exponents << shift));
+        let near_powers = (0..exponents).flat_map(move |exponent| {
+            let first: u64 = exponent << shift;
+            [first.saturating_sub(1), first, first + 1]
+        });
+        let raws = near_powers.chain(scattered.take(5_000));
+        raws.filter(|&raw| raw != 0)
+    }
+
+    /// Returns `number * base^exponent`.
+    fn fraction(number: impl Into<BigInt>, base: u32, exponent: i32) -> Fraction {
+        Fraction::from_integer(number.into()) * Fraction::from_integer(base.into()).pow(exponent)
+    }
+
+    fn exact(raw: u64, ty: ElementaryType) -> Fraction {
+        match real::decode(raw, ty) {
+            Real::Finite(number) => fraction(number.significand, 2, number.exponent),
+            other => panic!("{raw:X} is {other:?}"),
+        }
+    }
+
+    fn distance(one: &Fraction, other: &Fraction) -> Fraction {
+        if one > other { one - other } else { other - one }
+    }
+
+    fn read_back(decimal: &Fraction, ty: ElementaryType) -> u64 {
+        let [numerator, denominator] =
+            [decimal.numer(), decimal.denom()].map(|part| part.to_biguint().unwrap_or_default());
+        quotient::nearest(false, &numerator, &denominator, ty)
+    }
+
+    /// Returns the digits as one whole number, and the power of ten to multiply it with.
+    fn joined(decimal: &RoundedDecimal) -> (BigInt, i32) {
+        let scale = decimal.exponent + 1 - decimal.digits.len() as i32;
+        (decimal.digits.parse().expect("digits"), scale)
+    }
+
+    #[test]
+    fn the_shortest_digits_read_back_and_none_as_few_lie_nearer_and_no_fewer_do() {
+        for (ty, raw) in [Single, Lreal]
+            .into_iter()
+            .flat_map(|ty| raw_forms(ty).map(move |raw| (ty, raw)))
+        {
+            let (number, scale) = joined(&shortest(raw, ty));
+            let (exact, own) = (exact(raw, ty), fraction(number.clone(), 10, scale));
+            assert_eq!(read_back(&own, ty), raw, "{number}E{scale}");
+            for other in [&number - 1, &number + 1].map(|other| fraction(other, 10, scale)) {
+                let is_nearer = distance(&other, &exact) < distance(&own, &exact);
+                assert!(!is_nearer || read_back(&other, ty) != raw, "{number}E{scale}");
+            }
+            // With one digit less only these two could be next to the number.
+            let fewer: BigInt = &number / 10;
+            for other in [fewer.clone(), fewer + 1].map(|other| fraction(other, 10, scale + 1)) {
+                let is_long = number >= BigInt::from(10) && other.numer() != &BigInt::ZERO;
+                assert!(!is_long || read_back(&other, ty) != raw, "{number}E{scale}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_number_of_digits_is_rounded_to_the_nearest_and_half_to_even() {
+        for (ty, raw) in [Single, Lreal]
+            .into_iter()
+            .flat_map(|ty| raw_forms(ty).step_by(7).map(move |raw| (ty, raw)))
+        {
+            for count in [1, 6, 10, 17, 255] {
+                let decimal = significant(raw, ty, count);
+                assert!((1..=usize::from(count)).contains(&decimal.digits.len()));
+                let (number, scale) = joined(&decimal);
+                let unit = fraction(1, 10, decimal.exponent + 1 - i32::from(count));
+                let difference = distance(&fraction(number, 10, scale), &exact(raw, ty));
+                assert!(
+                    difference * BigInt::from(2) <= unit,
+                    "{raw:X} with {count} digits"
+                );
+            }
+        }
+        let digits = |number: f64| significant(number.to_bits(), Lreal, 2).digits;
+        assert_eq!([0.125, 0.375, 1.25, 9.75].map(digits), ["12", "38", "12", "98"]);
+    }
+}

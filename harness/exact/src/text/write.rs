@@ -4,7 +4,7 @@ use super::digits::{self, RoundedDecimal};
 use super::read::UNITS;
 use crate::calendar;
 use crate::integer;
-use crate::real::{self, Finite, Real};
+use crate::real::{self, Real};
 use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, MomentText, RealText};
 
 /// Returns the text of a value that is neither a text nor a character, in ASCII characters.
@@ -105,23 +105,14 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
         Real::Infinite { negative: true } => return "-Infinity".to_owned(),
         Real::Finite(number) => number,
     };
-    let Finite {
-        significand,
-        exponent,
-        ..
-    } = number;
+    let is_zero = number.significand == 0;
     let magnitude = match form {
-        RealText::ByWidth if significand == 0 => return "0.0".to_owned(),
-        RealText::ByWidth => by_width(&digits::scaled(significand, exponent, from), from),
-        RealText::Shortest if significand == 0 => "0.0".to_owned(),
-        RealText::Shortest => {
-            let lowest = real::is_lowest_of_binade(raw, from);
-            canonical(&digits::shortest(significand, exponent, lowest, from))
-        }
-        RealText::SignificantDigits(_) if significand == 0 => "0".to_owned(),
-        RealText::SignificantDigits(count) => {
-            as_printf_does(&digits::significant(significand, exponent, count), count)
-        }
+        RealText::ByWidth if is_zero => return "0.0".to_owned(),
+        RealText::ByWidth => by_width(&digits::scaled(number, raw, from), from),
+        RealText::Shortest if is_zero => "0.0".to_owned(),
+        RealText::Shortest => canonical(&digits::shortest(raw, from)),
+        RealText::SignificantDigits(_) if is_zero => "0".to_owned(),
+        RealText::SignificantDigits(count) => as_printf_does(&digits::significant(raw, from, count), count),
     };
     if number.negative {
         format!("-{magnitude}")
@@ -138,8 +129,8 @@ fn by_width(decimal: &RoundedDecimal, ty: ElementaryType) -> String {
         let plain = plain(decimal);
         return if plain.contains('.') { plain } else { plain + ".0" };
     }
-    let (first, rest) = (decimal.digits[0], written(&decimal.digits[1..]));
-    match (is_real, rest.as_str()) {
+    let (first, rest) = decimal.digits.split_at(1);
+    match (is_real, rest) {
         (true, "") if exponent < 0 => format!("{first}E-{:02}", -exponent),
         (true, "") => format!("{first}E{exponent:02}"),
         (true, rest) if exponent < 0 => format!("{first}.{rest}E-{:02}", -exponent),
@@ -194,11 +185,9 @@ fn canonical(decimal: &RoundedDecimal) -> String {
         let plain = plain(decimal);
         if plain.contains('.') { plain } else { plain + ".0" }
     } else {
-        let fraction = match &decimal.digits[1..] {
-            [] => "0".to_owned(),
-            digits => written(digits),
-        };
-        format!("{}.{fraction}E{}", decimal.digits[0], decimal.exponent)
+        let (first, rest) = decimal.digits.split_at(1);
+        let fraction = if rest.is_empty() { "0" } else { rest };
+        format!("{first}.{fraction}E{}", decimal.exponent)
     }
 }
 
@@ -207,8 +196,8 @@ fn as_printf_does(decimal: &RoundedDecimal, count: u8) -> String {
     if (-4..i32::from(count.max(1))).contains(&decimal.exponent) {
         return plain(decimal);
     }
-    let point = if decimal.digits.len() > 1 { "." } else { "" };
-    let (first, rest) = (decimal.digits[0], written(&decimal.digits[1..]));
+    let (first, rest) = decimal.digits.split_at(1);
+    let point = if rest.is_empty() { "" } else { "." };
     let sign = if decimal.exponent < 0 { '-' } else { '+' };
     format!(
         "{first}{point}{rest}e{sign}{:02}",
@@ -218,21 +207,17 @@ fn as_printf_does(decimal: &RoundedDecimal, count: u8) -> String {
 
 /// Formats all digits without an exponent, and with a point only where digits follow it.
 fn plain(decimal: &RoundedDecimal) -> String {
-    let digits = written(&decimal.digits);
+    let digits = &decimal.digits;
     let Ok(whole) = usize::try_from(decimal.exponent + 1) else {
         let zeros = "0".repeat((-decimal.exponent - 1).unsigned_abs() as usize);
         return format!("0.{zeros}{digits}");
     };
     if digits.len() <= whole {
         let zeros = "0".repeat(whole - digits.len());
-        return digits + &zeros;
+        return format!("{digits}{zeros}");
     }
     match digits.split_at(whole) {
         ("", fraction) => format!("0.{fraction}"),
         (whole, fraction) => format!("{whole}.{fraction}"),
     }
-}
-
-fn written(digits: &[u8]) -> String {
-    digits.iter().map(|digit| char::from(b'0' + digit)).collect()
 }
