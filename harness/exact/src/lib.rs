@@ -17,6 +17,7 @@
 //! | what does a value become without a call? | [`implicit_result()`] |
 //! | which signature has the function of a call? | [`signature_of`] |
 //! | what does a function of real numbers give, SIN or EXPT? | [`nearest_result`] |
+//! | which real number is nearest to a decimal one? | [`nearest_decimal`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -62,5 +63,6 @@ pub use elementary::nearest_result;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};
 pub use signature::{Operation, Signature};
+pub use text::nearest_decimal;
 pub use value::value;
 pub use vendor_page::stated_by_vendor;

@@ -8,5 +8,6 @@ mod literal;
 mod read;
 mod write;
 
+pub use read::nearest_decimal;
 pub(crate) use read::read;
 pub(crate) use write::write;

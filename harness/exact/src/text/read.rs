@@ -204,8 +204,6 @@ fn real_number(scanner: &mut LiteralScanner<'_>, to: ElementaryType) -> Option<u
 
 /// Returns the raw form nearest to a decimal number, ties to even, rounded once.
 fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
-    // Beyond this power of ten all is infinity or zero.
-    const FAR: i64 = 400;
     let mut digits: Vec<u8> = decimal.whole.values().collect();
     let mut exponent = decimal.exponent.map_or(0, |(negative, digits)| {
         if negative {
@@ -219,23 +217,32 @@ fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
         digits.extend(fraction.values());
         exponent = exponent.saturating_sub((digits.len() - whole) as i64);
     }
+    nearest_decimal(decimal.negative, &digits, exponent, to)
+}
+
+/// Returns the raw form of the REAL or LREAL nearest to a decimal number or its negative, ties to even, rounded once: to the number that the
+/// digits spell, times ten to the power of the exponent. Each digit is from 0 to 9. What is beyond the largest number becomes infinity.
+#[must_use]
+pub fn nearest_decimal(negative: bool, digits: &[u8], exponent: i64, to: ElementaryType) -> u64 {
+    // Beyond this power of ten all is infinity or zero.
+    const FAR: i64 = 400;
     let zeros = digits.iter().take_while(|&&digit| digit == 0).count();
     let significant = &digits[zeros..];
     // The number is less than 10^point, and not less than a tenth of that.
     let point = exponent.saturating_add(significant.len() as i64);
     if significant.is_empty() || point < -FAR {
-        return quotient::nearest(decimal.negative, &BigUint::ZERO, &BigUint::from(1_u32), to);
+        return quotient::nearest(negative, &BigUint::ZERO, &BigUint::from(1_u32), to);
     }
     if point > FAR {
-        return real::infinite(decimal.negative, to);
+        return real::infinite(negative, to);
     }
     // Both within the length of the text and some hundred more.
     let magnitude = BigUint::from_radix_be(significant, 10).unwrap_or_default();
     let power = BigUint::from(10_u32).pow(exponent.unsigned_abs() as u32);
     if exponent < 0 {
-        quotient::nearest(decimal.negative, &magnitude, &power, to)
+        quotient::nearest(negative, &magnitude, &power, to)
     } else {
-        quotient::nearest(decimal.negative, &(magnitude * power), &BigUint::from(1_u32), to)
+        quotient::nearest(negative, &(magnitude * power), &BigUint::from(1_u32), to)
     }
 }
 

@@ -184,13 +184,7 @@ fn check_real(
     ty: ElementaryType,
     got: Result<Option<u64>, LiteralError>,
 ) -> Judged<()> {
-    // The second reader verifies a raw form without computing it.
-    let said = said.map(|decimal| match got {
-        _ if decimal.overflows(ty) => None,
-        Ok(Some(raw)) if decimal.rounds_to(raw, ty) => Some(raw),
-        _ => Some(u64::MAX),
-    });
-    check_number(text, ty.name(), said, got)
+    check_number(text, ty.name(), said.map(|decimal| decimal.raw(ty)), got)
 }
 
 /// Checks that an error points into the text.

@@ -3,8 +3,8 @@
 //!
 //! Basis: iec-61131-3: Table 5 (numeric literals); IEC 60559 for the rounding of reals.
 
-use num_bigint::{BigInt, BigUint};
-use std::cmp::Ordering;
+use num_bigint::{BigInt, BigUint, Sign};
+use stickler_exact::nearest_decimal;
 use stickler_types::ElementaryType;
 
 /// Parses digits with single underscores between them: no sign, at least one digit.
@@ -41,10 +41,9 @@ pub(super) fn integer(text: &str) -> Option<BigInt> {
 #[derive(Clone, Debug)]
 pub(super) struct DecimalNumber {
     negative: bool,
-    digits: BigUint,
-    exponent: BigInt,
-    /// The number of decimal digits from the first that is not 0.
-    length: usize,
+    /// The digits, each from 0 to 9.
+    digits: Vec<u8>,
+    exponent: i64,
 }
 
 /// Parses a real literal; `None` if the text is none.
@@ -58,119 +57,32 @@ pub(super) fn real(text: &str) -> Option<DecimalNumber> {
     let (whole, fraction) = unsigned.split_once('.')?;
     digits(whole, 10)?;
     digits(fraction, 10)?;
-    let [whole, fraction] = [whole, fraction].map(|part| part.replace('_', ""));
-    let all = whole + &fraction;
+    let value = |text: &str| {
+        text.bytes()
+            .filter(u8::is_ascii_digit)
+            .map(|digit| digit - b'0')
+            .collect()
+    };
+    let [whole, fraction]: [Vec<u8>; 2] = [whole, fraction].map(value);
+    let is_far = if exponent.sign() == Sign::Minus {
+        i64::MIN
+    } else {
+        i64::MAX
+    };
     Some(DecimalNumber {
         negative: mantissa.starts_with('-'),
-        digits: digits(&all, 10)?,
-        exponent: exponent - fraction.len(),
-        length: all.trim_start_matches('0').len(),
+        exponent: i64::try_from(exponent)
+            .unwrap_or(is_far)
+            .saturating_sub(fraction.len() as i64),
+        digits: [whole, fraction].concat(),
     })
 }
 
 impl DecimalNumber {
-    /// Returns whether this number rounds to the raw form of a REAL or LREAL: to nearest, ties to even.
-    pub(super) fn rounds_to(&self, raw: u64, ty: ElementaryType) -> bool {
-        let format = BinaryFormat::of(ty);
-        let magnitude = raw & !format.sign();
-        if (raw != magnitude) != self.negative || magnitude >= format.infinity() {
-            return false;
-        }
-        let even = magnitude.is_multiple_of(2);
-        let fits = |side: Ordering, wrong: Ordering| side != wrong && (even || side != Ordering::Equal);
-        let upper = self.compare(&format.half_above(magnitude));
-        fits(upper, Ordering::Greater)
-            && magnitude
-                .checked_sub(1)
-                .is_none_or(|below| fits(self.compare(&format.half_above(below)), Ordering::Less))
-    }
-
-    /// Returns whether this number rounds to an infinity, regardless of its sign.
-    pub(super) fn overflows(&self, ty: ElementaryType) -> bool {
-        let format = BinaryFormat::of(ty);
-        self.compare(&format.half_above(format.infinity() - 1)) != Ordering::Less
-    }
-
-    /// Compares the magnitude of this number with another that is not 0.
-    fn compare(&self, other: &Dyadic) -> Ordering {
-        // Beyond this power of ten the digits do not matter, and the power would be too large to compute.
-        const FAR: i32 = 400;
-        let first = &self.exponent + self.length;
-        if self.length == 0 || first < BigInt::from(-FAR) {
-            return Ordering::Less;
-        }
-        if first > BigInt::from(FAR) {
-            return Ordering::Greater;
-        }
-        // From here on the exponent is at most the length of the text.
-        let ten = BigUint::from(10_u8);
-        let power = u32::try_from(self.exponent.magnitude()).unwrap_or(u32::MAX);
-        let (mut left, mut right) = (self.digits.clone(), other.significand.clone());
-        if self.exponent.sign() == num_bigint::Sign::Minus {
-            right *= ten.pow(power);
-        } else {
-            left *= ten.pow(power);
-        }
-        if other.exponent < 0 {
-            left <<= other.exponent.unsigned_abs();
-        } else {
-            right <<= other.exponent.unsigned_abs();
-        }
-        left.cmp(&right)
-    }
-}
-
-/// A significand times a power of two.
-struct Dyadic {
-    significand: BigUint,
-    exponent: i32,
-}
-
-/// An interchange format of IEC 60559, by its widths.
-struct BinaryFormat {
-    /// The number of bits of the fraction.
-    fraction: u32,
-    /// The number of bits of the exponent.
-    exponent: u32,
-}
-
-impl BinaryFormat {
-    fn of(ty: ElementaryType) -> BinaryFormat {
-        match ty {
-            ElementaryType::Real => BinaryFormat {
-                fraction: 23,
-                exponent: 8,
-            },
-            _ => BinaryFormat {
-                fraction: 52,
-                exponent: 11,
-            },
-        }
-    }
-
-    const fn sign(&self) -> u64 {
-        1 << (self.fraction + self.exponent)
-    }
-
-    const fn infinity(&self) -> u64 {
-        ((1 << self.exponent) - 1) << self.fraction
-    }
-
-    /// Returns the number halfway from a finite magnitude to the next; after the last finite one to the number that would
-    /// follow.
-    fn half_above(&self, magnitude: u64) -> Dyadic {
-        let fraction = magnitude & ((1 << self.fraction) - 1);
-        let biased = (magnitude >> self.fraction) as i32;
-        let significand = if biased == 0 {
-            fraction
-        } else {
-            fraction | 1 << self.fraction
-        };
-        let bias = (1 << (self.exponent - 1)) - 1;
-        Dyadic {
-            significand: BigUint::from(significand * 2 + 1),
-            exponent: biased.max(1) - bias - self.fraction as i32 - 1,
-        }
+    /// Returns the raw form of the REAL or LREAL nearest to this number, ties to even; `None` if that is an infinity.
+    pub(super) fn raw(&self, ty: ElementaryType) -> Option<u64> {
+        let raw = nearest_decimal(self.negative, &self.digits, self.exponent, ty);
+        ty.real_value(raw).is_some_and(f64::is_finite).then_some(raw)
     }
 }
 
@@ -211,15 +123,14 @@ mod tests {
             ("1.7976931348623157E+308", f64::MAX),
             ("1.0E-99999999999999999999", 0.0),
         ] {
-            let decimal = real(text).expect("a real");
-            let raw = bits.to_bits();
-            assert!(decimal.rounds_to(raw, Lreal), "{text}");
-            assert!(!decimal.rounds_to(raw + 1, Lreal), "{text}");
-            assert!(raw << 1 == 0 || !decimal.rounds_to(raw - 1, Lreal), "{text}");
+            assert_eq!(
+                real(text).expect("a real").raw(Lreal),
+                Some(bits.to_bits()),
+                "{text}"
+            );
         }
         let tie = real("1.000000059604644775390625").expect("a real");
-        assert!(tie.rounds_to(1.0_f32.to_bits().into(), Real));
-        assert!(!tie.rounds_to(1.000_000_1_f32.to_bits().into(), Real));
+        assert_eq!(tie.raw(Real), Some(1.0_f32.to_bits().into()));
     }
 
     #[test]
@@ -230,7 +141,11 @@ mod tests {
             ("1.0E99999999999999999999", true),
             ("0.0E99999999999999999999", false),
         ] {
-            assert_eq!(real(text).expect("a real").overflows(Real), overflows, "{text}");
+            assert_eq!(
+                real(text).expect("a real").raw(Real).is_none(),
+                overflows,
+                "{text}"
+            );
         }
     }
 
