@@ -26,7 +26,7 @@ macro_rules! target {
         #[cfg(not(fuzzing))]
         fn main() {
             let name = $crate::FuzzTarget::$target.as_str();
-            eprintln!("`cargo fuzz run {name}` runs this target; `cargo xtask replay {name} FILE…` judges inputs without libFuzzer");
+            eprintln!("`cargo fuzz run {name}` runs this target; `stickler fuzz --target {name} --replay FILE` judges an input without libFuzzer");
         }
     };
 }
@@ -36,14 +36,21 @@ mod tests {
     use super::FuzzTarget;
     use std::collections::BTreeSet;
     use std::fs;
-    use std::path::Path;
+    use std::path::{Path, PathBuf};
 
-    /// Returns the names of what lies in a folder, which a path from this crate leads to, hidden files aside.
-    fn names_in(folder: &str) -> BTreeSet<String> {
+    /// Returns what lies in a folder, which a path from this crate leads to.
+    fn paths_in(folder: &str) -> Vec<PathBuf> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
         let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-        let names = entries.map(|entry| entry.expect("a readable folder").file_name());
-        let names = names.map(|name| name.to_string_lossy().into_owned());
+        entries
+            .map(|entry| entry.expect("a readable folder").path())
+            .collect()
+    }
+
+    /// Returns the names of what lies in a folder, hidden files aside.
+    fn names_in(folder: &str) -> BTreeSet<String> {
+        let paths = paths_in(folder).into_iter();
+        let names = paths.filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned()));
         names.filter(|name| !name.starts_with('.')).collect()
     }
 
@@ -59,6 +66,23 @@ mod tests {
         let mut folders = names_in("../corpus");
         assert!(folders.remove("README.md"), "the corpora are described");
         assert_eq!(folders, named(""));
+    }
+
+    #[test]
+    fn every_input_of_the_corpora_holds() {
+        for target in FuzzTarget::ALL {
+            let inputs = paths_in(&format!("../corpus/{}", target.as_str()));
+            assert!(!inputs.is_empty(), "{} has no corpus", target.as_str());
+            for input in inputs {
+                let data = fs::read(&input).expect("a readable file");
+                assert!(
+                    target.judge(&data).is_ok(),
+                    "{}: {:?}",
+                    input.display(),
+                    target.judge(&data)
+                );
+            }
+        }
     }
 
     #[test]

@@ -2,14 +2,11 @@
 
 mod bless;
 mod executions;
-mod replay;
 mod tabulate;
 
 use clap::Parser;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
-use stickler_generate::oracles::FuzzTarget;
 use stickler_mutants::MutantsArguments;
 
 /// The tasks of this repository.
@@ -30,16 +27,6 @@ enum Task {
         check: bool,
     },
     Mutants(MutantsArguments),
-    /// Judges inputs of a fuzz target without libFuzzer.
-    ///
-    /// Exit codes: 0; 1 an input breaks what the target holds it to; 2 usage, or an input cannot be read.
-    Replay {
-        #[arg(value_parser = targets())]
-        target: FuzzTarget,
-        /// Files, any bytes of which are an input, and folders of them.
-        #[arg(required = true)]
-        inputs: Vec<PathBuf>,
-    },
     /// Adds to a file of counts how many inputs libFuzzer judged.
     CountExecutions {
         /// The file of counts.
@@ -56,14 +43,8 @@ fn main() -> ExitCode {
         Task::Bless => bless::execute(),
         Task::Tabulate { check } => tabulate::execute(check),
         Task::Mutants(arguments) => stickler_mutants::execute(&arguments),
-        Task::Replay { target, inputs } => replay::execute(target, &inputs),
         Task::CountExecutions { counts, logs } => executions::execute(&counts, &logs),
     })
-}
-
-fn targets() -> impl TypedValueParser<Value = FuzzTarget> {
-    PossibleValuesParser::new(FuzzTarget::ALL.iter().map(|target| target.as_str()))
-        .try_map(|name| FuzzTarget::from_word(&name).ok_or_else(|| format!("there is no target `{name}`")))
 }
 
 /// Returns the root of the repository.
