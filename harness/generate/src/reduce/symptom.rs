@@ -34,36 +34,11 @@ pub enum OutcomeSymptom {
 }
 
 impl OutcomeSymptom {
-    /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, in the order of
-    /// `expected`.
-    ///
-    /// A program that an engine does not support is no symptom, nor are values missing from an engine that only checks
-    /// programs.
+    /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, as [`deviations`] has them.
     #[must_use]
     pub fn all(expected: &Outcome, got: &Outcome) -> Vec<OutcomeSymptom> {
-        let symptom = match (expected, got) {
-            (_, Outcome::Crashed { .. } | Outcome::Unusable { .. }) => OutcomeSymptom::Crash,
-            (_, Outcome::TimedOut { .. }) => OutcomeSymptom::Hang,
-            (_, Outcome::Error { .. }) => OutcomeSymptom::Error,
-            (_, Outcome::Unsupported { .. }) => return Vec::new(),
-            (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
-            (_, Outcome::Rejected { diagnostics }) => {
-                return rejections(diagnostics, code_or_message, OutcomeSymptom::Rejected);
-            }
-            (Outcome::Rejected { diagnostics }, _) => {
-                return rejections(diagnostics, code, OutcomeSymptom::NotRejected);
-            }
-            (Outcome::Faulted { fault, .. }, Outcome::Faulted { fault: other, .. }) if fault == other => {
-                return Vec::new();
-            }
-            (_, Outcome::Faulted { fault, .. }) => OutcomeSymptom::Fault(*fault),
-            (Outcome::Faulted { fault, .. }, Outcome::Executed { .. }) => OutcomeSymptom::NotFaulted(*fault),
-            (Outcome::Executed { values: expected, .. }, Outcome::Executed { values: got, .. }) => {
-                return values(expected, got);
-            }
-            _ => return Vec::new(),
-        };
-        vec![symptom]
+        let deviations = deviations(expected, got).into_iter();
+        deviations.map(|(symptom, _)| symptom).collect()
     }
 
     /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
@@ -88,37 +63,64 @@ impl OutcomeSymptom {
     }
 }
 
-/// Returns how the outcome of an engine deviates from the values that a program must give, with a message for a person; `None` for
-/// an engine that gives them, or that says that it cannot.
+/// Returns the first of the [`deviations`] of an outcome from the values that a program must give.
 #[must_use]
 pub fn deviation(expected: &[(String, Value)], got: &Outcome) -> Option<(OutcomeSymptom, String)> {
-    Some(match got {
-        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } | Outcome::Accepted { .. } => {
-            return None;
-        }
-        Outcome::Executed { values, .. } => return differing_value(expected, values),
-        Outcome::Rejected { diagnostics } => {
+    let expected = Outcome::executed(expected.to_vec());
+    deviations(&expected, got).into_iter().next()
+}
+
+/// Returns how an outcome deviates from the expected one, each symptom once with a message for a person, the most important first. A
+/// checksum, which the generator computes from everything else, comes last: it differs because something else does, which tells more.
+///
+/// A program that an engine does not support is no deviation, nor are values missing from an engine that only checks programs.
+fn deviations(expected: &Outcome, got: &Outcome) -> Vec<(OutcomeSymptom, String)> {
+    let (symptom, message) = match (expected, got) {
+        (_, Outcome::Crashed { reason }) => (OutcomeSymptom::Crash, format!("died: {reason}")),
+        (_, Outcome::Unusable { .. }) => (OutcomeSymptom::Crash, got.to_string()),
+        (_, Outcome::TimedOut { .. }) => (OutcomeSymptom::Hang, got.to_string()),
+        (_, Outcome::Error { message }) => (OutcomeSymptom::Error, message.clone()),
+        (_, Outcome::Unsupported { .. } | Outcome::NotImplemented { .. })
+        | (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
+        (_, Outcome::Rejected { diagnostics }) => {
             let message = match diagnostics.first() {
                 Some(first) => format!("expected to be accepted, rejected: {}", diagnostic_line(first)),
                 None => "expected to be accepted, rejected without a reason".to_owned(),
             };
-            let name = diagnostics.first().map(code_or_message).unwrap_or_default();
-            (OutcomeSymptom::Rejected(name), message)
+            let names = names(diagnostics, code_or_message).into_iter();
+            return names
+                .map(|name| (OutcomeSymptom::Rejected(name), message.clone()))
+                .collect();
         }
-        Outcome::Faulted { fault, line, .. } => {
+        (Outcome::Rejected { diagnostics }, _) => {
+            let message = || "expected to be rejected, accepted".to_owned();
+            let names = names(diagnostics, code).into_iter();
+            return names
+                .map(|name| (OutcomeSymptom::NotRejected(name), message()))
+                .collect();
+        }
+        (Outcome::Faulted { fault, .. }, Outcome::Faulted { fault: other, .. }) if fault == other => {
+            return Vec::new();
+        }
+        (_, Outcome::Faulted { fault, line, .. }) => {
             let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
             let message = format!("expected to run to its end, got the fault {fault}{line}");
             (OutcomeSymptom::Fault(*fault), message)
         }
-        Outcome::Rendered { .. } => (
-            OutcomeSymptom::Error,
-            "answered `rendered` where it was to run".to_owned(),
-        ),
-        Outcome::Crashed { reason } => (OutcomeSymptom::Crash, format!("died: {reason}")),
-        Outcome::Unusable { .. } => (OutcomeSymptom::Crash, got.to_string()),
-        Outcome::TimedOut { .. } => (OutcomeSymptom::Hang, got.to_string()),
-        Outcome::Error { message } => (OutcomeSymptom::Error, message.clone()),
-    })
+        (Outcome::Faulted { fault, .. }, Outcome::Executed { .. }) => {
+            let message = format!("expected the fault {fault}, ran to its end");
+            (OutcomeSymptom::NotFaulted(*fault), message)
+        }
+        (Outcome::Executed { values: expected, .. }, Outcome::Executed { values: got, .. }) => {
+            return differing_values(expected, got);
+        }
+        (Outcome::Executed { .. }, Outcome::Rendered { .. }) => {
+            let message = "answered `rendered` where it was to run".to_owned();
+            (OutcomeSymptom::Error, message)
+        }
+        _ => return Vec::new(),
+    };
+    vec![(symptom, message)]
 }
 
 /// Writes a diagnostic in one line.
@@ -129,38 +131,38 @@ pub fn diagnostic_line(diagnostic: &Diagnostic) -> String {
     format!("{code}{}: {}", line.unwrap_or_default(), diagnostic.message)
 }
 
-/// Returns the first value that differs. A checksum, which the generator computes from everything else, comes last: it differs because
-/// something else does, which tells more.
-fn differing_value(
-    expected: &[(String, Value)],
-    got: &[(String, Value)],
-) -> Option<(OutcomeSymptom, String)> {
+/// Returns the values that differ or are missing, the first of each type, and checksums last.
+fn differing_values(expected: &[(String, Value)], got: &[(String, Value)]) -> Vec<(OutcomeSymptom, String)> {
     let find = |name: &str| {
-        got.iter()
-            .find(|(other, _)| other == name)
-            .map(|(_, value)| value)
+        let mut got = got.iter();
+        got.find(|(other, _)| other == name).map(|(_, value)| value)
     };
-    let differing = expected.iter().filter(|(name, value)| find(name) != Some(value));
-    let (name, value) = differing.min_by_key(|(name, _)| name.starts_with("checksum"))?;
-    let ty = value.type_name().to_owned();
-    let expected = format!("{name}: expected {value}");
-    Some(match find(name) {
-        Some(other) => (OutcomeSymptom::Value(ty), format!("{expected}, got {other}")),
-        None => (OutcomeSymptom::Missing(ty), format!("{expected}, got no value")),
-    })
+    let mut differing: Vec<_> = expected
+        .iter()
+        .filter(|(name, value)| find(name) != Some(value))
+        .collect();
+    differing.sort_by_key(|(name, _)| name.starts_with("checksum"));
+    let mut deviations: Vec<(OutcomeSymptom, String)> = Vec::new();
+    for (name, value) in differing {
+        let ty = value.type_name().to_owned();
+        let (symptom, got) = match find(name) {
+            Some(other) => (OutcomeSymptom::Value(ty), other.to_string()),
+            None => (OutcomeSymptom::Missing(ty), "no value".to_owned()),
+        };
+        if deviations.iter().all(|(known, _)| *known != symptom) {
+            deviations.push((symptom, format!("{name}: expected {value}, got {got}")));
+        }
+    }
+    deviations
 }
 
-/// Returns a symptom for each name of the diagnostics of a rejection; for an empty name if there is no diagnostic.
-fn rejections(
-    diagnostics: &[Diagnostic],
-    name: fn(&Diagnostic) -> String,
-    symptom: fn(String) -> OutcomeSymptom,
-) -> Vec<OutcomeSymptom> {
+/// Returns each name of the diagnostics of a rejection once; an empty one if no diagnostic has a name.
+fn names(diagnostics: &[Diagnostic], name: fn(&Diagnostic) -> String) -> Vec<String> {
     let mut names = distinct(diagnostics.iter().map(name).filter(|name| !name.is_empty()));
     if names.is_empty() {
         names.push(String::new());
     }
-    names.into_iter().map(symptom).collect()
+    names
 }
 
 /// Returns the code of a diagnostic; empty if it has none.
@@ -204,16 +206,6 @@ fn normalize_message(message: &str) -> String {
         .take(MAX_WORDS)
         .collect();
     words.join(" ")
-}
-
-/// Returns the symptoms of wrong and missing values, one for each type.
-fn values(expected: &[(String, Value)], got: &[(String, Value)]) -> Vec<OutcomeSymptom> {
-    let symptom = |(name, value): &(String, Value)| match got.iter().find(|(other, _)| other == name) {
-        Some((_, found)) if found == value => None,
-        Some(_) => Some(OutcomeSymptom::Value(value.type_name().to_owned())),
-        None => Some(OutcomeSymptom::Missing(value.type_name().to_owned())),
-    };
-    distinct(expected.iter().filter_map(symptom))
 }
 
 impl fmt::Display for OutcomeSymptom {
