@@ -1,13 +1,11 @@
 //! The tasks of this repository that no user of Stickler needs: `cargo xtask --help`.
 
-mod bless;
-mod executions;
-mod tabulate;
-
 use clap::Parser;
+use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use stickler_mutants::MutantsArguments;
+use stickler_tabulate::{blocks, folder};
 
 /// The tasks of this repository.
 #[derive(Parser)]
@@ -26,25 +24,71 @@ enum Task {
         #[arg(long)]
         check: bool,
     },
-    Mutants(MutantsArguments),
-    /// Adds to a file of counts how many inputs libFuzzer judged.
-    CountExecutions {
-        /// The file of counts.
-        counts: PathBuf,
-        /// What libFuzzer printed with `-print_final_stats=1`, in files that are named after the target: `parse.log`.
-        #[arg(required = true)]
-        logs: Vec<PathBuf>,
-    },
+    Mutants(Box<MutantsArguments>),
 }
 
 fn main() -> ExitCode {
     ExitCode::from(match Task::parse() {
         Task::Check => exit_code(Command::new("bash").arg(root().join(".ci/run"))),
-        Task::Bless => bless::execute(),
-        Task::Tabulate { check } => tabulate::execute(check),
+        Task::Bless => bless(),
+        Task::Tabulate { check } => tabulate(check),
         Task::Mutants(arguments) => stickler_mutants::execute(&arguments),
-        Task::CountExecutions { counts, logs } => executions::execute(&counts, &logs),
     })
+}
+
+/// Renews the tables, then every golden text that a test compares; returns the exit code.
+///
+/// A golden text is a file with what a program writes now. The test that compares it has `golden` in its name, and writes the file anew
+/// where the environment says so; thus a new one needs no entry here.
+fn bless() -> u8 {
+    let tabulated = tabulate(false);
+    let mut tests = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    tests.args(["test", "--quiet", "--workspace", "--tests", "golden"]);
+    tests.current_dir(root()).env("STICKLER_BLESS", "1");
+    // The switch of `trycmd`, which compares the outputs of the command line.
+    tests.env("TRYCMD", "overwrite");
+    tabulated.max(exit_code(&mut tests))
+}
+
+/// Writes the rows of the tables anew or, with `only_check`, says which differ; returns the exit code.
+fn tabulate(only_check: bool) -> u8 {
+    let tables = match tables() {
+        Ok(tables) => tables,
+        Err(message) => {
+            eprintln!("error: {message}");
+            return 2;
+        }
+    };
+    let differing = tables.iter().filter(|(_, text, wanted)| text != wanted);
+    let differing: Vec<&(PathBuf, String, String)> = differing.collect();
+    for (path, _, wanted) in &differing {
+        let name = path.file_name().unwrap_or_default().display();
+        if only_check {
+            println!("differs  {name}");
+        } else if let Err(error) = std::fs::write(path, wanted) {
+            eprintln!("error: {}: {error}", path.display());
+            return 3;
+        } else {
+            println!("written  {name}");
+        }
+    }
+    let done = if only_check { "differ" } else { "written" };
+    println!("{} tables, {} {done}", tables.len(), differing.len());
+    if only_check && !differing.is_empty() {
+        println!("to rewrite them: cargo xtask tabulate");
+        return 1;
+    }
+    0
+}
+
+/// Returns the path of each table, its text, and the text that it must have.
+fn tables() -> Result<Vec<(PathBuf, String, String)>, String> {
+    let root = root();
+    let calls = folder::call_tables(&root)?.into_iter();
+    let calls = calls.map(|table| (table.path.clone(), table.table.text.clone(), table.wanted()));
+    let blocks = blocks::block_tables(&root)?.into_iter();
+    let blocks = blocks.map(|(path, table, wanted)| (path, table.text, wanted));
+    Ok(calls.chain(blocks).collect())
 }
 
 /// Returns the root of the repository.
