@@ -1,16 +1,15 @@
 //! The oracle of a campaign without engines: the fuzz targets, which judge the reference, in rotation.
 
 mod planted;
-mod reduced;
 mod reduction;
-mod worker;
 
 use crate::commands::ReproductionCommands;
+use crate::finding::Finding;
 use crate::inputs::Inputs;
-use crate::oracle::{Oracle, Worker};
+use crate::oracle::{InputVerdict, Mismatch, Oracle, Worker};
 use crate::texts;
 use stickler_engines::EngineError;
-use stickler_generate::oracles::FuzzTarget;
+use stickler_generate::oracles::{FuzzTarget, InputOutcome};
 
 /// The oracle of a campaign without engines: each input is judged by a fuzz target.
 pub struct TargetOracle {
@@ -47,5 +46,36 @@ impl TargetOracle {
 impl Oracle for TargetOracle {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
         Ok(Box::new(self))
+    }
+}
+
+impl Worker for &TargetOracle {
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
+        let going = places.iter().take_while(|_| going());
+        going.map(|&place| self.judge_one(place)).collect()
+    }
+
+    fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {
+        self.finding(mismatch, going)
+    }
+}
+
+impl TargetOracle {
+    fn judge_one(&self, place: u64) -> InputVerdict {
+        let target = self.target(place);
+        let mut verdict = InputVerdict::agreed(place);
+        let input = self.input(place);
+        match target.judge(&input) {
+            Ok(InputOutcome::Checked) => {}
+            Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
+            Err(failure) => verdict.mismatches.push(Mismatch {
+                place,
+                subject: target.as_str().to_owned(),
+                symptom: failure.symptom,
+                rule: Vec::new(),
+                size: input.len(),
+            }),
+        }
+        verdict
     }
 }

@@ -17,6 +17,7 @@ use stickler_types::documents::DocumentedFunctions as Rules;
 use stickler_types::{DialectName, ElementaryType, Family, MomentUnits, Rounding, Value};
 use tested::{STRUCPP_TEXTS, STRUCPP_TIME, STRUCPP_TO_TIME};
 use vendors::OMRON_ROUNDING;
+pub use vendors::stated_by_vendor;
 
 /// The expected result of a call, and the document that states it.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -3,8 +3,7 @@
 //! The catalogue is generated once for all dialects that have the same functions, from pairs of types and a few patterns of
 //! names, and looked up afterwards.
 
-use crate::pair;
-use crate::signature::{Operation, Signature};
+use crate::signature::{Operation, Signature, has_meaning};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
@@ -182,7 +181,7 @@ impl Catalogue {
             let all = types
                 .iter()
                 .flat_map(|&from| types.iter().map(move |&to| (from, to)));
-            all.filter(|&(from, to)| pair::has_meaning(from, to))
+            all.filter(|&(from, to)| has_meaning(from, to))
         };
         for (from, to) in pairs().filter(|(from, to)| from != to) {
             self.add(format!("{from}_TO_{to}"), from, to, Operation::Convert);

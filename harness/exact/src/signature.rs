@@ -1,6 +1,6 @@
-//! The signature of a conversion: the function's name, its types, and its operation.
+//! The signature of a conversion: the function's name, its types, and its operation; and the pairs of types that have one.
 
-use stickler_types::{ConversionChoices, ElementaryType, Rounding, Value};
+use stickler_types::{ConversionChoices, ElementaryType, Family, Rounding, Value};
 
 /// One conversion function together with the types of its arguments and of its result.
 ///
@@ -59,5 +59,27 @@ impl Operation {
             Operation::Floor => choices.with_rounding(Rounding::Down),
             Operation::Truncate => choices.of_truncation(),
         }
+    }
+}
+
+/// Returns whether a value of one type has a meaning in the other; a type has one in itself.
+///
+/// Numbers in this table are integers, bit strings, reals and BOOL.
+///
+/// | from | to |
+/// |---|---|
+/// | a number, a duration, a date, a time of day, both together | all of these |
+/// | a character | integers, bit strings, characters; and these convert to characters |
+/// | a text | everything; and everything to a text |
+///
+/// Basis: ironplc-type-conversions: Explicit Conversion Functions ("for all type pairs"), as far as a pair makes sense;
+/// forgeiec-conversion-functions: The naming pattern; codesys-recording: fixtures/conversions/explicit-pairs.ts.
+pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
+    use Family::{Character, Text};
+    match (from.family(), to.family()) {
+        (Text, _) | (_, Text) | (Character, Character) => true,
+        (Character, _) => to.is_whole(),
+        (_, Character) => from.is_whole(),
+        _ => true,
     }
 }

@@ -1,8 +1,8 @@
 //! Computes the result of a call by given choices: one rule for each pair of families of types.
 
 use crate::real::{self, Real, Whole};
-use crate::signature::{Operation, Signature};
-use crate::{bcd, character, integer, moment, pair, text};
+use crate::signature::{Operation, Signature, has_meaning};
+use crate::{bcd, character, integer, moment, text};
 use stickler_types::{
     BitStringAsBool, BitsAsInteger, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
     OutOfRange, Rounding, Value,
@@ -84,7 +84,7 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
         BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
     };
     let units = choices.moment_units;
-    if !pair::has_meaning(from, to) {
+    if !has_meaning(from, to) {
         return None;
     }
     let number = || integer::number(raw, from);

@@ -10,20 +10,18 @@
 //! |---|---|
 //! | `answer` | results: values, open questions, errors |
 //! | `evaluator` | the state of an evaluation, and its course |
-//! | `cell`, `memory` | cells, and the places of a program in them |
+//! | `memory` | cells, and the places of a program in them |
 //! | `start` | initial values |
 //! | `statements`, `calls`, `expressions` | the walk |
-//! | `arithmetic`, `ordering`, `standard`, `conversions` | the results of operators and functions |
+//! | `arithmetic`, `standard`, `conversions` | the results of operators and functions |
 
 mod answer;
 pub(crate) mod arithmetic;
 mod calls;
-mod cell;
 mod conversions;
 mod evaluator;
 mod expressions;
 mod memory;
-mod ordering;
 mod standard;
 mod start;
 mod statements;

@@ -9,8 +9,6 @@ mod expression;
 mod lookup;
 mod program;
 mod statement;
-mod types;
-mod unit;
 mod visitor;
 
 pub use expression::{
@@ -18,8 +16,10 @@ pub use expression::{
     StandardFunction, UnaryOperator,
 };
 pub use lookup::{PathStep, subscripts};
-pub use program::{InitialValue, Pou, Program, Variable, VariableId, VariableSection};
+pub use program::{
+    ArrayType, DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable, VariableId,
+    VariableSection,
+};
 pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, ForLoop, Statement};
-pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};
-pub use unit::Unit;
+pub(crate) use statement::{assign, integer, whole};
 pub use visitor::{visit, visit_mut};

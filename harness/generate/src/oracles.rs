@@ -4,7 +4,6 @@ mod case_file;
 mod check;
 mod convert;
 pub mod execute;
-mod failure;
 mod literal;
 mod numerals;
 mod operands;
@@ -15,6 +14,5 @@ mod target;
 mod words;
 
 pub use check::{SoundProgram, check, judge as judge_planted, judge_planted_text, judge_sound_text};
-use failure::failed;
-pub use failure::{InputOutcome, Judged, OracleFailure};
-pub use target::FuzzTarget;
+use target::failed;
+pub use target::{FuzzTarget, InputOutcome, Judged, OracleFailure};

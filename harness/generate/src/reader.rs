@@ -10,22 +10,20 @@
 //! | `declarations` | types, variables, program organization units |
 //! | `statements` | statements |
 //! | `expressions` | expressions and places |
-//! | `literals` | literals |
 //!
 //! Basis: rule: literal-as-operand; rule: mixed-operands.
 
 mod declarations;
 mod expressions;
-mod literals;
 mod statements;
 #[cfg(test)]
 mod tests;
 
-use crate::generator::DialectProfile;
-use crate::model::{Program, Type, Variable};
+use crate::generator::{DialectProfile, TypeContext};
+use crate::model::{Expression, LiteralForm, Program, Type, Variable};
 use stickler_syntax::parse;
-use stickler_syntax::tree::SourceUnit;
-use stickler_types::{Dialect, DialectName, ElementaryType};
+use stickler_syntax::tree::{self, ExpressionId, Literal, LiteralKind, SourceUnit, UnaryOperator};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, Value};
 
 /// Reads a text; `None` where it is no program of the model.
 #[must_use]
@@ -61,4 +59,69 @@ struct Reader<'t> {
 /// Returns the index of the part with a name, in any case of its letters.
 fn named<'n>(mut names: impl Iterator<Item = &'n String>, name: &str) -> Option<usize> {
     names.position(|one| one.eq_ignore_ascii_case(name))
+}
+
+impl Reader<'_> {
+    /// Reads a number without the prefix of its type as one of the type `ty`.
+    pub(super) fn number(
+        &self,
+        id: ExpressionId,
+        ty: ElementaryType,
+        context: TypeContext,
+    ) -> Option<Expression> {
+        let (sign, literal) = self.bare_number(id)?;
+        let suits = match ty.family() {
+            Family::Signed | Family::Unsigned | Family::BitString => literal.kind != LiteralKind::Real,
+            Family::Real => literal.kind == LiteralKind::Real,
+            _ => false,
+        };
+        if !suits || !self.profile.takes_untyped(ty, context) {
+            return None;
+        }
+        let value = Value::parse(&format!("{ty}#{sign}{}", literal.text())).ok()?;
+        Some(Expression::literal(ty, value, LiteralForm::Untyped))
+    }
+
+    /// Reads a whole number without a prefix.
+    pub(super) fn integer(&self, id: ExpressionId) -> Option<i128> {
+        let (sign, literal) = self.bare_number(id)?;
+        format!("{sign}{}", literal.text()).parse().ok()
+    }
+
+    /// Returns a number that has no prefix, and its sign.
+    fn bare_number(&self, id: ExpressionId) -> Option<(&'static str, &Literal<'_>)> {
+        match &self.unit.expression(id)?.kind {
+            tree::ExpressionKind::Parenthesized(inner) => self.bare_number(*inner),
+            tree::ExpressionKind::Unary {
+                operator: UnaryOperator::Negate,
+                operand,
+            } => match self.bare_number(*operand)? {
+                ("", literal) => Some(("-", literal)),
+                _ => None,
+            },
+            tree::ExpressionKind::Literal(literal) if literal.prefix().is_none() => match literal.kind {
+                LiteralKind::Integer | LiteralKind::BasedInteger | LiteralKind::Real => Some(("", literal)),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+/// Reads a literal that says its type: by a prefix, or by its form.
+pub(super) fn typed(literal: &Literal<'_>) -> Option<Expression> {
+    let prefix = literal.prefix().map_or("", |prefix| prefix.text);
+    let ty = match literal.kind {
+        LiteralKind::Boolean if prefix.is_empty() => ElementaryType::Bool,
+        LiteralKind::SingleByteText if prefix.is_empty() => ElementaryType::String,
+        LiteralKind::DoubleByteText if prefix.is_empty() => ElementaryType::Wstring,
+        _ => ElementaryType::from_literal_prefix(prefix)?,
+    };
+    let value = Value::parse(&format!("{ty}#{}", literal.text())).ok()?;
+    // T#, LT#, D# and LD# are what a duration or a date has without the prefix of its type.
+    let form = match ElementaryType::from_name(prefix) {
+        Some(_) => LiteralForm::Typed,
+        None => LiteralForm::Untyped,
+    };
+    Some(Expression::literal(ty, value, form))
 }

@@ -5,17 +5,13 @@
 //!
 //! | file | varies |
 //! |---|---|
-//! | `variant` | the text alone, by the styles of the writer; it names the variants |
-//! | `capitals` | the case of every letter outside character strings |
+//! | `variant` | the text alone, by the styles of the writer and the case of letters; it names the variants |
 //! | `literals` | literals: moved to variables and constants, or written with their type |
 //! | `operands` | the order of operands, and the variables that hold them |
-//! | `loops` | loops: unrolled, or their first iteration peeled off |
+//! | `loops` | loops: unrolled, or their first iteration peeled off; the two sides of an IF |
 //! | `dead_code` | statements that are never reached, or change nothing |
-//! | `branches` | the two sides of an IF |
 //! | `walk` | nothing; it finds the parts of a program |
 
-mod branches;
-mod capitals;
 mod dead_code;
 mod literals;
 mod loops;

@@ -6,7 +6,6 @@
 //! other cases are run against it.
 
 mod analysis;
-mod change;
 mod claim;
 mod explained;
 mod forms;

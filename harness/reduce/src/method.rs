@@ -2,9 +2,7 @@
 
 use crate::draft::{self, TextDraft};
 use crate::passes::literals::{LiteralStep, lessen};
-use crate::passes::{
-    arrays, chunks, declarations, expressions, initial_values, parameters, statements, values,
-};
+use crate::passes::{arrays, chunks, declarations, expressions, initial_values, parameters, statements};
 use crate::rules::ReferenceRules;
 use crate::{
     CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason,
@@ -37,14 +35,13 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     ),
     text_pass!("replace conditions by TRUE", expressions::to_true),
     text_pass!("replace expressions by literals", expressions::to_literal),
-    text_pass!("replace variables by their last values", |view| values::to_value(
-        view, 1
-    )),
-    text_pass!(
-        "replace variables by their first values",
-        |view| values::to_value(view, 0)
-    ),
-    text_pass!("replace calls by what they change", values::call_to_value),
+    text_pass!("replace variables by their last values", |view| {
+        expressions::to_value(view, 1)
+    }),
+    text_pass!("replace variables by their first values", |view| {
+        expressions::to_value(view, 0)
+    }),
+    text_pass!("replace calls by what they change", expressions::call_to_value),
     text_pass!("give functions a plain result", declarations::plain_results),
     text_pass!("replace expressions by variables", expressions::to_variable),
     text_pass!(

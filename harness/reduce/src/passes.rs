@@ -8,4 +8,3 @@ pub(crate) mod initial_values;
 pub(crate) mod literals;
 pub(crate) mod parameters;
 pub(crate) mod statements;
-pub(crate) mod values;

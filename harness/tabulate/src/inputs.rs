@@ -6,8 +6,7 @@
 //! | `"from.least"`, `"to.greatest+0.5"`, `"-to.modulus"` | a number beside a limit of the source type or of the target |
 //! | `"powers-of-two"` | the list of that [name](lists::named) |
 
-use crate::lists;
-use crate::number::{halves, whole};
+use crate::lists::{self, halves, whole};
 use stickler_types::{ElementaryType, Value, WrittenValue, distinct};
 
 /// Returns the operands of a pair of types, numbers in ascending order, each once.

@@ -10,9 +10,9 @@
 //! | Which operands does an entry of `inputs` stand for? | [`inputs`], [`lists`] |
 //! | Which calls does a table have? | [`generate`], [`call`] |
 //! | May a probe claim that? | [`claim`] |
-//! | What stands in which cell? | [`cell`] |
+//! | What stands in which cell? | [`call`] |
 //! | Does the folder have the rows that it must have? | [`folder`] |
-//! | What do IEC 60559 and two's complement suggest where a table only records? | [`suggestion`] |
+//! | What do IEC 60559 and two's complement suggest where a table only records? | [`folder`] |
 //!
 //! The tables of [`blocks`] are of sequences of scans, whose results a model gives.
 //!
@@ -21,13 +21,10 @@
 
 pub mod blocks;
 pub mod call;
-pub mod cell;
 pub mod claim;
 mod every_dialect;
 pub mod folder;
 pub mod generate;
 pub mod inputs;
 pub mod lists;
-mod number;
-pub mod suggestion;
 pub mod table;

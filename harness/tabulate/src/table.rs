@@ -1,7 +1,6 @@
 //! A row table of the suite: its head as a person writes it, its calls, and the text of its rows.
 
-use crate::call::Call;
-use crate::cell::{self, CellWriter};
+use crate::call::{Call, CellWriter, of_column};
 use crate::generate;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -149,7 +148,7 @@ impl Table {
         if !names_types || !names_operand {
             return None;
         }
-        self.columns.iter().map(|name| cell::of_column(name)).collect()
+        self.columns.iter().map(|name| of_column(name)).collect()
     }
 
     /// Returns whether the rows are calls of one function, so that this crate computes their cells.

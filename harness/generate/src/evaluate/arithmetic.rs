@@ -1,10 +1,13 @@
-//! Results of operators: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds.
+//! Results of operators: integers in 128 bits, wrapped to their type; reals rounded once; durations in nanoseconds; and the order of two
+//! values of one type.
 //!
 //! Basis: rule: integer-overflow-wraps (two's complement of the declared width); iec-61131-3: Table 10 (IEC 60559 in 32 and 64 bits;
-//! each operation is rounded once).
+//! each operation is rounded once), Table 33 (comparison); the table comparison of the cases states the order type by type.
 
 use super::OpenQuestion;
+use super::memory::MemoryCell;
 use crate::model::{BinaryOperator, UnaryOperator};
+use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
 
 /// A value, with the open question that it raises.
@@ -144,5 +147,19 @@ fn moment(nanoseconds: i128) -> Computed {
     Computed {
         raw: nanoseconds as u64,
         question: outside.then_some(OpenQuestion::MomentRange),
+    }
+}
+
+/// Compares two values of a type; `None` if one of them is NaN or not of that type.
+///
+/// Unsigned integers and bit strings compare as unsigned numbers, texts by their characters; -0.0 equals 0.0.
+pub(super) fn compare(ty: ElementaryType, a: &MemoryCell, b: &MemoryCell) -> Option<Ordering> {
+    match (a, b) {
+        (MemoryCell::Text(a), MemoryCell::Text(b)) => Some(a.cmp(b)),
+        (MemoryCell::Plain(a), MemoryCell::Plain(b)) => match (ty.real_value(*a), ty.real_value(*b)) {
+            (Some(a), Some(b)) => a.partial_cmp(&b),
+            _ => Some(ty.integer_value(*a).cmp(&ty.integer_value(*b))),
+        },
+        _ => None,
     }
 }

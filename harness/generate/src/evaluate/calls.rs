@@ -1,7 +1,7 @@
 //! Calls of functions, and invocations of the instances of function blocks.
 
-use super::cell::{Address, MemoryCell};
 use super::evaluator::{Activation, ModelEvaluator};
+use super::memory::{Address, MemoryCell};
 use super::{Evaluated, OpenQuestion, ill_formed};
 use crate::model::{Argument, ExpressionKind, Place, Pou, Type, VariableId, VariableSection};
 

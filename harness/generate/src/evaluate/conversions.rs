@@ -1,7 +1,7 @@
 //! Conversions, explicit and implicit, by exact arithmetic.
 
-use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
+use super::memory::MemoryCell;
 use super::{Evaluated, OpenQuestion, ill_formed};
 use std::sync::LazyLock;
 use stickler_exact::{ImplicitResult, Operation, Signature, expected, implicit, implicit_result, value};

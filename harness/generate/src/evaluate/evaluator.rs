@@ -1,6 +1,6 @@
 //! The state of an evaluation and its course: start, scans, and the values at the end.
 
-use super::cell::{Address, MemoryCell};
+use super::memory::{Address, MemoryCell};
 use super::{Evaluated, Evaluation, EvaluationError, OpenPoint, OpenQuestion, ill_formed};
 use crate::model::{Pou, Program, Type};
 use stickler_types::ElementaryType;

@@ -1,10 +1,10 @@
 //! Evaluation of expressions of the model.
 
 use super::arithmetic::Computed;
-use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
+use super::memory::MemoryCell;
 use super::statements::DIVISION_BY_ZERO;
-use super::{Evaluated, EvaluationError, OpenQuestion, arithmetic, ill_formed, ordering};
+use super::{Evaluated, EvaluationError, OpenQuestion, arithmetic, ill_formed};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
 use stickler_types::{ElementaryType, MomentUnits, Value};
 
@@ -119,7 +119,7 @@ impl<'p> ModelEvaluator<'p> {
         b: &MemoryCell,
     ) -> Evaluated<MemoryCell> {
         use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
-        let Some(order) = ordering::compare(ty, a, b) else {
+        let Some(order) = arithmetic::compare(ty, a, b) else {
             // NaN is neither less, nor equal, nor greater (IEC 60559).
             self.open(OpenQuestion::NotANumber, || format!("{operator:?} of {ty}"));
             return Ok(MemoryCell::Plain(u64::from(operator == NotEqual)));

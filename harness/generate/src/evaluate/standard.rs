@@ -4,9 +4,9 @@
 //! once.
 
 use super::arithmetic::{self, Computed};
-use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
-use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed, ordering};
+use super::memory::MemoryCell;
+use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
@@ -130,7 +130,7 @@ impl<'p> ModelEvaluator<'p> {
         wanted: Ordering,
     ) -> Evaluated<MemoryCell> {
         let ty = self.comparable(argument)?;
-        let order = ordering::compare(ty, a, b);
+        let order = arithmetic::compare(ty, a, b);
         if order.is_none() || (order == Some(Ordering::Equal) && a != b) {
             self.open(OpenQuestion::ZerosOfTwoSigns, || format!("MIN or MAX of {ty}"));
         }
@@ -146,7 +146,7 @@ impl<'p> ModelEvaluator<'p> {
         high: &MemoryCell,
     ) -> Evaluated<MemoryCell> {
         let ty = self.comparable(argument)?;
-        if ordering::compare(ty, low, high).is_some_and(Ordering::is_gt) {
+        if arithmetic::compare(ty, low, high).is_some_and(Ordering::is_gt) {
             self.open(OpenQuestion::LimitsCrossed, || format!("LIMIT of {ty}"));
         }
         let above = self.lesser(argument, low, value, Ordering::Greater)?;

@@ -1,7 +1,7 @@
 //! Execution of statements by the evaluator.
 
-use super::cell::MemoryCell;
 use super::evaluator::ModelEvaluator;
+use super::memory::MemoryCell;
 use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
     AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, ForLoop, Place, Statement, Type,

@@ -1,10 +1,10 @@
 //! Assignments to variables, parts of variables, and bits.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::operations::has_bits;
 use super::scope::contains_text;
-use super::type_context::TypeContext;
 use crate::model::{
     AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Statement, Type, VariableId,
 };

@@ -1,9 +1,9 @@
 //! The state of the generator: the program so far, the POU under construction, and the rest of the budget.
 
+use super::GeneratorSettings;
 use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::DialectProfile;
 use super::scope::PouScope;
-use super::settings::GeneratorSettings;
 use crate::model::{Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;

@@ -1,9 +1,9 @@
 //! Calls of conversion functions and of functions of the program.
 
+use super::TypeContext;
 use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
 use super::profile::{ConversionOffer, ResultCoverage};
-use super::type_context::TypeContext;
 use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
 use stickler_exact::{Operation, Signature, expected};
 use stickler_types::{ElementaryType, Family, Value};

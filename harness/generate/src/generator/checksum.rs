@@ -19,10 +19,9 @@
 use super::builder::ProgramBuilder;
 use super::calls::convert;
 use super::literals;
-use super::places::{assign, integer, whole};
 use crate::model::{
     ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, PathStep, Place,
-    PlaceSelector, StandardFunction, Statement, Type, VariableId, subscripts,
+    PlaceSelector, StandardFunction, Statement, Type, VariableId, assign, integer, subscripts, whole,
 };
 use stickler_types::{ElementaryType, Family, Value};
 

@@ -1,9 +1,9 @@
 //! Declarations of types and of variables with their initial values.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::scope::PouScope;
-use super::type_context::TypeContext;
 use crate::model::{
     ArrayType, DeclaredKind, Expression, InitialValue, LiteralForm, Type, TypeDeclaration, Variable,
     VariableId, VariableSection, subscripts,

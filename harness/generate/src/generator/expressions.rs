@@ -1,9 +1,9 @@
 //! Expressions of a given type: the choice of their form, and leaves.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::literals;
-use super::type_context::TypeContext;
 use crate::model::{Expression, LiteralForm, Type};
 use stickler_types::{ElementaryType, Family, Value};
 

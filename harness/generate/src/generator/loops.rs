@@ -1,11 +1,11 @@
 //! Loops, all of which terminate by construction.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
-use super::places::{assign, integer, whole};
 use super::scope::VisiblePlace;
-use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ForLoop, LiteralForm, PathStep, StandardFunction, Statement, Type, VariableId,
+    BinaryOperator, Expression, ForLoop, LiteralForm, PathStep, StandardFunction, Statement, Type,
+    VariableId, assign, integer, whole,
 };
 use stickler_types::ElementaryType;
 

@@ -1,10 +1,10 @@
 //! Generation of operators and of accesses to bits.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::literals;
 use super::scope::{HeldValue, VisiblePlace};
-use super::type_context::TypeContext;
 use crate::model::{
     BinaryOperator as Operator, Expression, ExpressionKind, LiteralForm, StandardFunction as Function, Type,
     UnaryOperator,

@@ -3,10 +3,10 @@
 use super::builder::ProgramBuilder;
 use super::scope::{VisiblePlace, contains_text};
 use crate::model::{
-    AssignmentTarget, Expression, LiteralForm, PathStep, Place, PlaceSelector, StandardFunction, Statement,
-    Type, VariableId,
+    Expression, LiteralForm, PathStep, Place, PlaceSelector, StandardFunction, Type, VariableId, integer,
+    whole,
 };
-use stickler_types::{ElementaryType, Value};
+use stickler_types::ElementaryType;
 
 impl ProgramBuilder<'_, '_> {
     /// Generates a read of a place of exactly this type; `None` if there is none. With `varying`, only places whose value no
@@ -114,21 +114,4 @@ impl ProgramBuilder<'_, '_> {
         let seen = self.random.pick_where(&pou.places, suits)?.clone();
         Some(self.place(&seen, false))
     }
-}
-
-/// Creates a read of a whole variable of an elementary type.
-pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
-    Expression::read(Place::whole(variable, Type::Elementary(ty)))
-}
-
-/// Creates an assignment to a whole variable of an elementary type.
-pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
-    let place = Place::whole(variable, Type::Elementary(ty));
-    Statement::Assign(AssignmentTarget::Place(place), value)
-}
-
-/// Creates a literal of an integer type or a bit string.
-pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
-    let value = Value::plain(ty, ty.wrap(i128::from(number)));
-    Expression::literal(ty, value, form)
 }

@@ -1,8 +1,8 @@
 //! The profile of a dialect, by its documents: types, implicit conversions, and conversion functions whose results are
 //! settled.
 
+use super::TypeContext;
 use super::literals;
-use super::type_context::TypeContext;
 use crate::model::{BinaryOperator, Expression, ExpressionKind, StandardFunction, Type, UnaryOperator};
 use std::collections::HashMap;
 use std::sync::{LazyLock, PoisonError, RwLock};

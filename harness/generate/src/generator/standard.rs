@@ -1,10 +1,8 @@
 //! Calls of standard functions other than conversions.
 
 use super::builder::ProgramBuilder;
-use super::literals;
-use super::places::integer;
-use super::type_context::TypeContext;
-use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function};
+use super::{TypeContext, literals};
+use crate::model::{Expression, ExpressionKind, LiteralForm, StandardFunction as Function, integer};
 use stickler_types::{ElementaryType, Family, Value};
 
 impl ProgramBuilder<'_, '_> {

@@ -1,11 +1,11 @@
 //! Generation of statements other than loops.
 
+use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::places::integer;
-use super::type_context::TypeContext;
 use crate::model::{
     Argument, CaseBranch, CaseLabel, Expression, LiteralForm, Statement, Type, VariableId, VariableSection,
+    integer,
 };
 use stickler_types::ElementaryType;
 

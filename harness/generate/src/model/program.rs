@@ -1,7 +1,7 @@
-//! Whole programs: types, functions, function blocks and the main program.
+//! Whole programs: types, functions, function blocks and the main program, their variables, and the types of these.
 
-use super::{Expression, Statement, Type, TypeDeclaration};
-use stickler_types::{DialectName, words};
+use super::{Expression, Statement};
+use stickler_types::{DialectName, ElementaryType, words};
 
 /// A program of one dialect, in the order of its text: types, functions, function blocks, `PROGRAM main`.
 ///
@@ -94,4 +94,103 @@ pub enum InitialValue {
     Array(Vec<Expression>),
     /// `(field := …)`: indices of fields and their values.
     Structure(Vec<(usize, Expression)>),
+}
+
+/// The type of a variable or an expression.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Type {
+    /// An elementary data type; texts have the default length.
+    Elementary(ElementaryType),
+    /// `ARRAY[low..high, …] OF element`, written where the variable is declared.
+    Array(Box<ArrayType>),
+    /// A type declared in [`super::Program::types`], by its index.
+    Declared(usize),
+    /// A function block of [`super::Program::blocks`], by its index; only variables have such a type.
+    Block(usize),
+}
+
+/// An array type.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ArrayType {
+    /// The lower and upper limit of each dimension, both inclusive; there is at least one dimension, and none is empty.
+    pub dimensions: Vec<(i64, i64)>,
+    /// The type of the elements; never a function block.
+    pub element: Type,
+}
+
+/// A declaration `name : …;` in TYPE … END_TYPE.
+#[derive(Clone, PartialEq, Debug)]
+pub struct TypeDeclaration {
+    /// The name of the type, unique in the program.
+    pub name: String,
+    /// The definition of the type.
+    pub kind: DeclaredKind,
+}
+
+/// The definition of a declared type.
+#[derive(Clone, PartialEq, Debug)]
+pub enum DeclaredKind {
+    /// `STRUCT … END_STRUCT`: names, types and initial values of the fields.
+    Structure(Vec<(String, Type, Option<Expression>)>),
+    /// `(RED, GREEN, …)`: the names of the values, unique in the program; the first value is the default.
+    Enumeration(Vec<String>),
+    /// Another name for a type that is not declared itself.
+    Alias(Type),
+}
+
+/// A program organization unit, by its place in the program.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Unit {
+    /// `PROGRAM main`.
+    Main,
+    /// A function, by its index in [`Program::functions`].
+    Function(usize),
+    /// A function block, by its index in [`Program::blocks`].
+    Block(usize),
+    /// No unit: the initial values of fields in TYPE … END_TYPE.
+    Types,
+}
+
+impl Unit {
+    /// Returns every unit that has variables and statements, in the order of the text.
+    #[must_use]
+    pub fn all(program: &Program) -> Vec<Unit> {
+        let functions = (0..program.functions.len()).map(Unit::Function);
+        let blocks = (0..program.blocks.len()).map(Unit::Block);
+        functions.chain(blocks).chain([Unit::Main]).collect()
+    }
+
+    /// Returns the unit; `None` if the program has no such unit.
+    #[must_use]
+    pub fn pou(self, program: &Program) -> Option<&Pou> {
+        match self {
+            Unit::Types => None,
+            Unit::Function(index) => program.functions.get(index),
+            Unit::Block(index) => program.blocks.get(index),
+            Unit::Main => Some(&program.main),
+        }
+    }
+
+    /// Returns the unit for changes; `None` if the program has no such unit.
+    #[must_use]
+    pub fn pou_mut(self, program: &mut Program) -> Option<&mut Pou> {
+        match self {
+            Unit::Types => None,
+            Unit::Function(index) => program.functions.get_mut(index),
+            Unit::Block(index) => program.blocks.get_mut(index),
+            Unit::Main => Some(&mut program.main),
+        }
+    }
+
+    /// Returns the variables of the unit; an empty slice if the program has no such unit.
+    #[must_use]
+    pub fn variables(self, program: &Program) -> &[Variable] {
+        self.pou(program).map_or(&[], |pou| &pou.variables)
+    }
+
+    /// Returns the statements of the unit; an empty slice if the program has no such unit.
+    #[must_use]
+    pub fn body(self, program: &Program) -> &[Statement] {
+        self.pou(program).map_or(&[], |pou| &pou.body)
+    }
 }

@@ -1,6 +1,7 @@
 //! The statements of a program of the model.
 
-use super::{Argument, Expression, Place, VariableId};
+use super::{Argument, Expression, LiteralForm, Place, Type, VariableId};
+use stickler_types::{ElementaryType, Value};
 
 /// A statement.
 #[derive(Clone, PartialEq, Debug)]
@@ -89,4 +90,20 @@ pub enum CaseLabel {
     One(Expression),
     /// The range `low..high` of an integer, both inclusive.
     Range(Expression, Expression),
+}
+
+/// Creates a read of a whole variable of an elementary type.
+pub(crate) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
+    Expression::read(Place::whole(variable, Type::Elementary(ty)))
+}
+
+/// Creates an assignment to a whole variable of an elementary type.
+pub(crate) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
+    let place = Place::whole(variable, Type::Elementary(ty));
+    Statement::Assign(AssignmentTarget::Place(place), value)
+}
+
+/// Creates a literal of an integer type, a bit string or BOOL.
+pub(crate) fn integer(ty: ElementaryType, number: impl Into<i128>, form: LiteralForm) -> Expression {
+    Expression::literal(ty, Value::plain(ty, ty.wrap(number.into())), form)
 }

@@ -2,10 +2,10 @@
 
 use crate::model::visit::bodies;
 use crate::model::{
-    ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, PathStep, Place, PlaceSelector,
-    Program, StandardFunction, Statement, Type, Unit, VariableId, VariableSection,
+    ArrayType, Expression, ExpressionKind, LiteralForm, PathStep, Place, PlaceSelector, Program,
+    StandardFunction, Statement, Type, Unit, VariableId, VariableSection, integer,
 };
-use stickler_types::{Dialect, DialectName, ElementaryType, Value};
+use stickler_types::{Dialect, DialectName, ElementaryType};
 
 /// Returns the elementary type that a type is or stands for.
 pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {
@@ -50,7 +50,7 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
         ExpressionKind::Unary(_, operand) => written(operand),
         ExpressionKind::Binary(operator, left, right) => {
             // One operand converts to the type of the other, which is the type of the whole.
-            let rigid = compares(*operator) || written(left).or_else(|| written(right)).is_some();
+            let rigid = operator.is_comparison() || written(left).or_else(|| written(right)).is_some();
             own.filter(|_| rigid)
         }
         ExpressionKind::Standard(function, arguments) => {
@@ -78,15 +78,6 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
         }
         ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => None,
     }
-}
-
-/// Returns whether an operator compares, and so gives BOOL for any operands.
-pub(super) const fn compares(operator: BinaryOperator) -> bool {
-    use BinaryOperator as B;
-    matches!(
-        operator,
-        B::Equal | B::NotEqual | B::Less | B::LessOrEqual | B::Greater | B::GreaterOrEqual
-    )
 }
 
 /// Returns every elementary type of a dialect.
@@ -130,7 +121,10 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
         let writable = writable && !matches!(step, PathStep::Output(_));
         let selector = match step {
             PathStep::Index(limits) => {
-                PlaceSelector::Index(limits.iter().map(|&(low, _)| integer(low)).collect())
+                // Any integer type would do; this one holds every subscript.
+                let lowest =
+                    |&(low, _): &(i64, i64)| integer(ElementaryType::Lint, low, LiteralForm::Untyped);
+                PlaceSelector::Index(limits.iter().map(lowest).collect())
             }
             PathStep::Field(field) => PlaceSelector::Field(field),
             PathStep::Output(output) => PlaceSelector::Output(output),
@@ -143,13 +137,6 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
         parts(program, part, writable, found);
     }
     found.push(NamedPlace { place, writable });
-}
-
-/// Creates an untyped integer literal for a subscript.
-pub(super) fn integer(value: i64) -> Expression {
-    // Any integer type would do; this one holds every subscript.
-    let ty = ElementaryType::Lint;
-    Expression::literal(ty, Value::plain(ty, value.cast_unsigned()), LiteralForm::Untyped)
 }
 
 /// Returns the control variables of the FOR statements of a unit.

@@ -1,6 +1,6 @@
 //! Reading of expressions and places back into the model.
 
-use super::{BOOL, Reader, literals, named};
+use super::{BOOL, Reader, named, typed};
 use crate::evaluate::arithmetic;
 use crate::generator::TypeContext;
 use crate::model::{
@@ -78,7 +78,7 @@ impl Reader<'_> {
     fn operation(&self, id: ExpressionId) -> Option<Expression> {
         match &self.unit.expression(id)?.kind {
             tree::ExpressionKind::Parenthesized(inner) => self.operation(*inner),
-            tree::ExpressionKind::Literal(literal) => literals::typed(literal),
+            tree::ExpressionKind::Literal(literal) => typed(literal),
             tree::ExpressionKind::Name(name) => self.enumerated(name).or_else(|| self.read(id)),
             tree::ExpressionKind::Field { .. } | tree::ExpressionKind::Index { .. } => self.read(id),
             tree::ExpressionKind::Bit { .. } => {

@@ -2,12 +2,12 @@
 
 use super::walk::{FreeNames, each_pou, has_loose_exit, lists, variable};
 use crate::model::{
-    AssignmentTarget, Expression, LiteralForm, Place, Program, Statement, Type, Variable, VariableId,
-    VariableSection,
+    Expression, LiteralForm, Program, Statement, Type, Variable, VariableId, VariableSection, assign,
+    integer, whole,
 };
 use crate::random::Random;
 use std::collections::HashSet;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::ElementaryType;
 
 /// Inserts dead code beside some statements. Returns the number of insertions.
 pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
@@ -77,7 +77,9 @@ fn dead(
     let copy = vec![beside.clone()];
     let is_simple = !has_loose_exit(&copy);
     match random.below(5) {
-        0 => random.pick(settled).map(|&(id, ty)| onto_itself(id, ty)),
+        0 => random
+            .pick(settled)
+            .map(|&(id, ty)| assign(id, ty, whole(id, ty))),
         1 if is_simple => Some(Statement::While(truth(false), copy)),
         2 => Some(Statement::If(
             vec![(truth(true), Vec::new()), (truth(true), copy)],
@@ -88,17 +90,6 @@ fn dead(
     }
 }
 
-/// Creates `a := a;`.
-fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
-    let place = Place::whole(id, Type::Elementary(ty));
-    let value = Expression::read(place.clone());
-    Statement::Assign(AssignmentTarget::Place(place), value)
-}
-
 fn truth(value: bool) -> Expression {
-    Expression::literal(
-        ElementaryType::Bool,
-        Value::plain(ElementaryType::Bool, u64::from(value)),
-        LiteralForm::Untyped,
-    )
+    integer(ElementaryType::Bool, i64::from(value), LiteralForm::Untyped)
 }

@@ -1,13 +1,14 @@
-//! Loops: FOR unrolled, and the first iteration of the others peeled off.
+//! Control flow: FOR unrolled, the first iteration of the other loops peeled off, and the two sides of an IF exchanged.
 
 use super::walk::{each_pou, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
 use crate::model::{
-    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type,
-    UnaryOperator, Variable, VariableId,
+    Expression, ExpressionKind, LiteralForm, Program, Statement, Type, UnaryOperator, Variable, assign,
+    integer,
 };
 use crate::random::Random;
-use stickler_types::{ElementaryType, Value};
+use std::mem;
+use stickler_types::Value;
 
 /// The maximum number of iterations of an unrolled loop; longer loops stay unchanged.
 const MAX_TURNS: usize = 6;
@@ -50,7 +51,11 @@ fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<St
             let Type::Elementary(ty) = ty else { return None };
             let mut statements = Vec::new();
             for turn in turns {
-                statements.push(assigned(parts.variable, *ty, turn));
+                statements.push(assign(
+                    parts.variable,
+                    *ty,
+                    integer(*ty, turn, LiteralForm::Typed),
+                ));
                 statements.extend_from_slice(&parts.body);
             }
             Some(statements)
@@ -91,15 +96,6 @@ fn literal(expression: &Expression) -> Option<i128> {
     }
 }
 
-/// Creates `variable := value;`.
-fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement {
-    let literal = Expression::literal(ty, Value::plain(ty, ty.wrap(value)), LiteralForm::Typed);
-    Statement::Assign(
-        AssignmentTarget::Place(Place::whole(variable, Type::Elementary(ty))),
-        literal,
-    )
-}
-
 /// Creates `NOT condition`.
 pub(super) fn not(condition: &Expression) -> Expression {
     Expression::unary(UnaryOperator::Not, condition.clone())
@@ -114,4 +110,28 @@ fn size(statements: &[Statement]) -> usize {
             .sum::<usize>()
     };
     statements.iter().map(|statement| 1 + inside(statement)).sum()
+}
+
+/// Negates the condition of some IFs without ELSIF, and exchanges their THEN and ELSE branches. Returns the number of
+/// changes.
+pub(super) fn swap_branches(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
+    let mut count = 0;
+    each_pou(program, |pou| {
+        lists(&mut pou.body, &mut |list| {
+            for statement in list {
+                let Statement::If(branches, otherwise) = statement else {
+                    continue;
+                };
+                if let [(condition, then)] = &mut branches[..]
+                    && !random.chance(1, 4)
+                {
+                    *condition = not(condition);
+                    let positive = mem::replace(then, otherwise.take().unwrap_or_default());
+                    *otherwise = Some(positive);
+                    count += 1;
+                }
+            }
+        });
+    });
+    count
 }

@@ -54,7 +54,7 @@ fn what_changes_the_model_changes_no_value() {
         ("split", operands::split),
         ("unroll", loops::unroll),
         ("insert", dead_code::insert),
-        ("branches", branches::swap),
+        ("branches", loops::swap_branches),
     ];
     for (name, change) in changes {
         let mut changed = 0;

@@ -1,6 +1,9 @@
-//! The variants by name.
+//! The variants by name, and those of the text alone.
+//!
+//! Basis: iec-61131-3: 6.1.2 (identifiers and keywords do not distinguish cases; literals neither, but for the characters of
+//! texts).
 
-use super::{branches, capitals, dead_code, literals, loops, operands};
+use super::{dead_code, literals, loops, operands};
 use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{Keywords, Style, write};
@@ -73,14 +76,14 @@ impl Variant {
             Variant::Bits => return None,
             Variant::ExplicitConversions => style.explicit_conversions = true,
             Variant::NamedArguments => style.named_arguments = true,
-            Variant::Capitals => return capitals::random_case(program, &mut random),
+            Variant::Capitals => return random_case(program, &mut random),
             Variant::ConstantsHoisted => return changed(program, &mut random, literals::hoist),
             Variant::TypedLiterals => return changed(program, &mut random, literals::type_all),
             Variant::OperandsSwapped => return changed(program, &mut random, operands::swap),
             Variant::Temporaries => return changed(program, &mut random, operands::split),
             Variant::LoopUnrolled => return changed(program, &mut random, loops::unroll),
             Variant::DeadCode => return changed(program, &mut random, dead_code::insert),
-            Variant::BranchesSwapped => return changed(program, &mut random, branches::swap),
+            Variant::BranchesSwapped => return changed(program, &mut random, loops::swap_branches),
             Variant::Rendered => return Some(rendered(program, &mut random)),
         }
         let text = write(program, &style).text;
@@ -112,4 +115,38 @@ fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
         let described: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
         format!("(* the renderer refuses the text: {} *)", described.join("; "))
     })
+}
+
+/// Writes a program with each letter outside character strings in a random case; `None` if that changes nothing.
+pub(super) fn random_case(program: &Program, random: &mut Random<'_, '_>) -> Option<String> {
+    let text = write(program, &Style::default()).text;
+    let mut bits = random.bits() | 1;
+    // The quote that ends the character string, and whether a dollar precedes: a quote in a string follows one, or is written by
+    // its code.
+    let (mut quoted, mut escaped) = (None, false);
+    let varied: String = text
+        .chars()
+        .map(|letter| {
+            if let Some(quote) = quoted {
+                quoted = quoted.filter(|_| escaped || letter != quote);
+                escaped = !escaped && letter == '$';
+                return letter;
+            }
+            quoted = matches!(letter, '\'' | '"').then_some(letter);
+            if quoted.is_some() {
+                return letter;
+            }
+            bits = bits.rotate_left(1);
+            in_case(letter, bits & 1 == 1)
+        })
+        .collect();
+    (varied != text).then_some(varied)
+}
+
+const fn in_case(letter: char, lower: bool) -> char {
+    if lower {
+        letter.to_ascii_lowercase()
+    } else {
+        letter.to_ascii_uppercase()
+    }
 }

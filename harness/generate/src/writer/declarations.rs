@@ -1,7 +1,7 @@
 //! Writing of types, variables, POUs, and the whole text.
 
+use super::Style;
 use super::source_writer::SourceWriter;
-use super::style::Style;
 use crate::model::{DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable};
 
 /// The text of a program.

@@ -1,6 +1,6 @@
 //! The text under construction: keywords in the case of the style, lines, indents, blanks with comments.
 
-use super::style::{Keywords, Style};
+use super::{Keywords, Style};
 use crate::model::{Pou, Program, Variable, VariableId};
 use stickler_types::SplitMix64;
 

@@ -1,11 +1,11 @@
 //! The places of a program at which a rule applies, and the change that breaks it there.
 
 use super::analysis::Analysis;
-use super::change::SourceChange;
 use super::claim::{
     BitClaim, ClaimBreach, ConversionClaim, Direction, LiteralPair, PairKind, PartForm, Rule,
 };
 use super::forms::refused_base;
+use super::saboteur::SourceChange;
 use super::standing::PlaceOfExpression;
 use super::wrong_code::wrong_code;
 use rustc_hash::FxHashMap;

@@ -1,9 +1,9 @@
-//! Passes that replace expressions by their operands and by literals.
+//! Passes that replace expressions by their operands, by literals, and by values that variables have.
 
 use crate::TextView;
 use crate::rules::TextState;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Expression, ExpressionKind, Pou};
+use stickler_syntax::tree::{Argument, Expression, ExpressionKind, Pou, StatementKind};
 use stickler_syntax::visitor::{Place, operands};
 
 /// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
@@ -115,6 +115,51 @@ pub(crate) fn drop_arguments(view: &TextView<'_>) -> Vec<Edits> {
                 &ends,
                 call.span.end as usize,
             ));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Replaces variables by their values after some scans; after none, these are the initial ones.
+pub(crate) fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
+    let values = view
+        .draft
+        .rules()
+        .values(view.text(), view.draft.dialect(), scans);
+    let mut changes = Vec::new();
+    for (_, expression) in view.expressions() {
+        let is_read = matches!(
+            expression.kind,
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        );
+        let name = expression.span.text(view.text()).to_ascii_lowercase();
+        if let (true, Some(value)) = (is_read, values.get(&name)) {
+            changes.push(Edits::replacing(expression.span, value.as_str()));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Replaces calls by assignments of the values that their arguments have in the end, since a call may only change a variable that it is given.
+pub(crate) fn call_to_value(view: &TextView<'_>) -> Vec<Edits> {
+    let values = view.draft.rules().values(view.text(), view.draft.dialect(), 1);
+    let mut changes = Vec::new();
+    for statement in view.statements() {
+        let StatementKind::Call(call) = statement.kind else {
+            continue;
+        };
+        let Some(ExpressionKind::Call { arguments, .. }) = view.unit.expression(call).map(|call| &call.kind)
+        else {
+            continue;
+        };
+        for argument in arguments {
+            let (Argument::Positional(given)
+            | Argument::Named { value: given, .. }
+            | Argument::Output { target: given, .. }) = argument;
+            let given = &view.text()[view.range_of_expression(*given)];
+            if let Some(value) = values.get(&given.to_ascii_lowercase()) {
+                changes.push(Edits::replacing(statement.span, format!("{given} := {value}")));
+            }
         }
     }
     view.only_allowed(changes)

@@ -5,8 +5,7 @@
 
 use std::path::Path;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
-use stickler_tabulate::folder::{self, CallTable};
-use stickler_tabulate::suggestion::Suggestion;
+use stickler_tabulate::folder::{self, CallTable, Suggestion};
 use stickler_types::{BitsAsReal, Dialect};
 use stickler_workers::{SpawnError, WorkerPool};
 
