@@ -34,7 +34,7 @@ pub enum OutcomeSymptom {
 }
 
 impl OutcomeSymptom {
-    /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, as [`deviations`] has them.
+    /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, and checksums last.
     #[must_use]
     pub fn all(expected: &Outcome, got: &Outcome) -> Vec<OutcomeSymptom> {
         let deviations = deviations(expected, got).into_iter();
@@ -63,7 +63,8 @@ impl OutcomeSymptom {
     }
 }
 
-/// Returns the first of the [`deviations`] of an outcome from the values that a program must give.
+/// Returns how the outcome of an engine deviates from the values that a program must give, with a message for a person: its most important
+/// symptom. `None` for an engine that gives them, or that says that it cannot.
 #[must_use]
 pub fn deviation(expected: &[(String, Value)], got: &Outcome) -> Option<(OutcomeSymptom, String)> {
     let expected = Outcome::executed(expected.to_vec());
