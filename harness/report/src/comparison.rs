@@ -3,12 +3,10 @@
 //! Both runs are read as streams. A few words are kept of each case of the older run, and of the newer run only the
 //! differences, so that memory stays small however many cases there are.
 
-mod json;
 mod older_case;
 mod page;
 
-pub use json::write_json;
-pub use page::write;
+pub use page::{write, write_json};
 
 use crate::LogError;
 use crate::engine;
