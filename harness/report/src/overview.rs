@@ -136,16 +136,8 @@ impl Overview {
 
     /// Returns the verdict counts of the whole run.
     pub fn sum(&self) -> Totals {
-        let mut sum = Totals::default();
-        for totals in self
-            .totals
-            .values()
-            .flat_map(BTreeMap::values)
-            .flat_map(BTreeMap::values)
-        {
-            sum += *totals;
-        }
-        sum
+        let areas = self.totals.values().flat_map(BTreeMap::values);
+        areas.flat_map(BTreeMap::values).sum()
     }
 }
 

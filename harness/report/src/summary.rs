@@ -115,8 +115,7 @@ fn totals(overview: &Overview, page: &mut BoundedMarkdown) {
     page.add(&format!("|---|---|{}--:|\n", "--:|".repeat(areas.len())));
     for (engine, dialects) in &overview.totals {
         for (dialect, totals) in dialects {
-            let mut sum = Totals::default();
-            totals.values().for_each(|totals| sum += *totals);
+            let sum = totals.values().sum();
             let of_areas = areas.iter().map(|area| totals.get(*area));
             let numbers = cells(of_areas.chain([Some(&sum)]).map(total_cell));
             page.add(&format!(

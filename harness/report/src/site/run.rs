@@ -111,10 +111,8 @@ impl SiteRun {
 
     /// Returns the results of an engine in all areas.
     pub(super) fn sum(&self, engine: &str) -> Standing {
-        let mut sum = Standing::default();
-        let areas = self.standings.get(engine).into_iter().flatten();
-        areas.for_each(|(_, standing)| sum.add(*standing));
-        sum
+        let areas = self.standings.get(engine).into_iter();
+        areas.flat_map(BTreeMap::values).sum()
     }
 
     /// Returns the day on which the run began, such as `2026-09-01`.
