@@ -125,6 +125,18 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     Ok(exported)
 }
 
+/// Returns whether there is a folder and something in it.
+///
+/// # Errors
+/// [`ExportError::Read`].
+pub(crate) fn is_occupied(folder: &Path) -> Result<bool, ExportError> {
+    match fs::read_dir(folder) {
+        Ok(mut entries) => Ok(entries.next().is_some()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(ExportError::Read(folder.to_owned(), error)),
+    }
+}
+
 /// Makes the folder, or removes the files of an earlier export from it.
 fn prepare(folder: &Path) -> Result<(), ExportError> {
     let writing = |error| ExportError::Write(folder.to_owned(), error);
