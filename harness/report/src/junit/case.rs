@@ -1,6 +1,6 @@
 //! The JUnit test of a case that did not pass.
 
-use super::suite::{error, failure, problem};
+use super::{error, failure, problem};
 use crate::text::noted;
 use crate::{compared, diff, engine};
 use quick_junit::{TestCase, TestCaseStatus};
