@@ -11,7 +11,6 @@ mod folder;
 mod greeting;
 mod group;
 mod message;
-mod pause;
 mod session;
 mod time_limit;
 mod tool;
