@@ -167,10 +167,11 @@ fn conversion(signature: &Signature, dialects: &[DialectName]) -> Value {
 /// Writes data into a folder, which is empty, does not exist yet, or has earlier data, which is replaced.
 ///
 /// # Errors
-/// [`ExportError::NoData`] before anything is written; [`ExportError::Write`].
+/// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
 pub fn write_data(data: &SupportData<'_>, folder: &Path) -> Result<(), ExportError> {
     if is_occupied(folder)? && !folder.join(DATA).is_file() {
-        return Err(ExportError::NoData(folder.to_owned()));
+        let other = format!(" and holds no earlier data (there is no {DATA} in it)");
+        return Err(ExportError::Occupied(folder.to_owned(), other));
     }
     let json =
         serde_json::to_string(data).map_err(|error| ExportError::Write(folder.join(DATA), error.into()))?;

@@ -44,7 +44,7 @@ pub struct PlainExported {
 /// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
 pub fn export_plain(cases: &[&Case], sources: &Sources, folder: &Path) -> Result<PlainExported, ExportError> {
     if is_occupied(folder)? {
-        return Err(ExportError::Occupied(folder.to_owned()));
+        return Err(ExportError::Occupied(folder.to_owned(), String::new()));
     }
     create(folder)?;
     let schema = folder.join(SCHEMA);

@@ -9,8 +9,8 @@ mod page;
 pub use page::{write, write_json};
 
 use crate::LogError;
-use crate::engine;
 use crate::events::Reader;
+use crate::overview;
 use older_case::OlderCase;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
@@ -267,7 +267,7 @@ impl Matching {
                 Box::new(ComparedTexts {
                     new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
-                    rerun: engine::rerun(engine::named(&self.found.new.engines, &case.engine), &case),
+                    rerun: overview::rerun(overview::named(&self.found.new.engines, &case.engine), &case),
                     expected,
                     place: case.place(),
                     title: case.title,

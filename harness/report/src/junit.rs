@@ -13,7 +13,7 @@ use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
-use crate::{ReportError, engine};
+use crate::{ReportError, overview};
 use indexmap::IndexMap;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::collections::BTreeMap;
@@ -120,7 +120,7 @@ impl Junit {
             }
             _ => {
                 let name = suite_name(&case.engine, &case.dialect, &case.area);
-                let test = case::test(case, engine::named(&self.engines, &case.engine));
+                let test = case::test(case, overview::named(&self.engines, &case.engine));
                 add(suite_of(&mut self.suites, name), test, case.duration_us);
             }
         }

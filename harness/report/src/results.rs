@@ -7,7 +7,7 @@ use crate::claims::Claim;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::kept;
-use crate::{ReportError, engine};
+use crate::{ReportError, overview};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -57,7 +57,7 @@ impl Results {
             }
             Event::Case(case) if case.verdict != Verdict::Pass => {
                 self.cases += 1;
-                let case = CaseResult::of(case, engine::named(&self.engines, &case.engine));
+                let case = CaseResult::of(case, overview::named(&self.engines, &case.engine));
                 element(&mut self.file, self.cases == 1, &case)
             }
             // Causes and the footer are taken from the overview, when the document ends.
@@ -285,7 +285,7 @@ impl<'d> CaseResult<'d> {
             expected: &case.expected,
             got: &case.got,
             duration_us: case.duration_us,
-            rerun: crate::engine::rerun(engine, case),
+            rerun: overview::rerun(engine, case),
             observations: &case.observations,
             program: case.program.as_deref().map(kept),
             baseline: case.baseline.as_ref(),

@@ -11,7 +11,7 @@ use crate::terminal::lacks::said;
 use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
-use crate::{compared, diff, engine};
+use crate::{compared, diff, overview};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
@@ -223,7 +223,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
 
 fn failure(case: &CaseEvent, overview: &Overview) -> String {
     let engine = overview.engine(&case.engine);
-    let (expected, got) = compared::texts(case, engine::strictness(engine));
+    let (expected, got) = compared::texts(case, overview::strictness(engine));
     let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
@@ -245,7 +245,7 @@ fn failure(case: &CaseEvent, overview: &Overview) -> String {
         title = inline(&case.title),
         basis = basis(case, overview),
         place = inline(&case.place()),
-        rerun = code(&engine::rerun(engine, case)),
+        rerun = code(&overview::rerun(engine, case)),
     )
 }
 

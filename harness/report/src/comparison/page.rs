@@ -1,8 +1,8 @@
 //! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result. Writes it as JSON, too.
 
 use super::{Change, ComparedTexts, Comparison, Kind, UnmatchedCase};
-use crate::engine;
 use crate::observations::probe;
+use crate::overview;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{verdicts, visible};
@@ -101,7 +101,7 @@ fn write_runs(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
 }
 
 fn version(header: &Header, name: &str) -> String {
-    let version = engine::named(&header.engines, name).map_or("", |engine| engine.version.as_str());
+    let version = overview::named(&header.engines, name).map_or("", |engine| engine.version.as_str());
     visible(format!("{name} {version}").trim_end())
 }
 

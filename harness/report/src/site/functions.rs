@@ -4,8 +4,8 @@ use super::SiteError;
 use super::history::History;
 use super::run::SiteRun;
 use crate::answers::answer_of;
-use crate::engine;
 use crate::events::Reader;
+use crate::overview;
 use crate::page::{self, PageAnswers};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -117,7 +117,7 @@ impl<'s> Functions<'s> {
 /// Returns the newest run of an engine, with the address of the copy of its page, if it has one.
 fn newest_run(history: &History<'_>) -> Value {
     let newest = history.newest();
-    let engine = engine::named(&newest.run.header.engines, history.name);
+    let engine = overview::named(&newest.run.header.engines, history.name);
     let page = newest.run.page.is_some();
     json!({
         "name": history.name,
