@@ -8,7 +8,6 @@
 #![forbid(unsafe_code)]
 
 mod file;
-mod line;
 
 use file::Kept;
 use std::collections::HashMap;
@@ -72,7 +71,7 @@ impl AnswerStore for Cache {
         let Some(file) = &mut keeping.file else {
             return;
         };
-        if let Err(error) = file.write_all(line::written(question, answers).as_bytes()) {
+        if let Err(error) = file.write_all(file::written(question, answers).as_bytes()) {
             keeping.file = None;
             let note = format!(
                 "{} cannot be written, and keeps no more results: {error}",

@@ -83,7 +83,7 @@ fn what_is_torn_or_broken_is_said_once_and_the_rest_is_used() {
 #[test]
 fn a_file_of_another_kind_or_version_is_said_and_begins_anew() {
     let folder = TempDir::new().unwrap();
-    let line = line::written("one", "1");
+    let line = file::written("one", "1");
     for foreign in [
         String::new(),
         "nonsense".to_owned(),

@@ -6,26 +6,20 @@ mod export;
 mod fuzz;
 mod judge;
 mod numbers;
-mod port;
-mod record;
-mod reduce;
+mod programs;
 mod reports;
-mod reproduce;
 mod run;
-mod sources;
+mod suite;
 
 pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArguments, SweepArguments};
-pub use engines::{EngineArguments, EnginesArguments};
+pub use engines::{EngineArguments, EnginesArguments, RecordArguments};
 pub use export::{ComplianceArguments, DataArguments, ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use judge::JudgeArguments;
-pub use port::PortArguments;
-pub use record::RecordArguments;
-pub use reduce::ReduceArguments;
+pub use programs::{PortArguments, ReduceArguments, ReproduceArguments};
 pub use reports::{BlessArguments, CompareArguments, SiteArguments};
-pub use reproduce::ReproduceArguments;
 pub use run::RunArguments;
-pub use sources::{ChangesArguments, SourcesArguments};
+pub use suite::{ChangesArguments, LintArguments, ListArguments, ShowArguments, SourcesArguments};
 
 use crate::exit;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -168,60 +162,6 @@ pub struct SelectionArguments {
     /// Only cases of this dialect, which stickler.toml may define; may be repeated [default: those of documented systems]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
-}
-
-/// `stickler list`.
-#[derive(Args, Debug)]
-pub struct ListArguments {
-    /// The selected cases.
-    #[command(flatten)]
-    pub selection: SelectionArguments,
-    /// List claims instead: each section of each document, how many cases check it, and in which files
-    #[arg(long)]
-    pub basis: bool,
-    /// List the numbers instead: how many cases each dialect has in each area, and how many different questions they ask
-    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
-    pub count: bool,
-    /// List the sources of the claims instead, and Stickler's own rules: what each is, where it opens, for whom it speaks,
-    /// and how many of the cases rest on it
-    #[arg(long, conflicts_with_all = ["basis", "left_out"])]
-    pub sources: bool,
-    /// List the places instead in which values stand: how many cases have each source together with each target and surrounding
-    #[arg(long, conflicts_with_all = ["basis", "sources", "left_out"])]
-    pub places: bool,
-    /// List the features of the language instead, each with the tables of IEC 61131-3 that are about it: how many of the cases
-    /// use it
-    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "count", "left_out"])]
-    pub features: bool,
-    /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
-    /// what it overrides changes them and no source in Stickler says how
-    #[arg(long, conflicts_with = "basis")]
-    pub left_out: bool,
-    /// Print one JSON object a line
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// `stickler show`.
-#[derive(Args, Debug)]
-pub struct ShowArguments {
-    /// The case's id, with or without `@dialect`
-    #[arg(value_name = "CASE")]
-    pub case: String,
-    /// Draw the scans up to N of a case with many, such as N of a value `count@N` [default: the first ones]
-    #[arg(long, value_name = "N")]
-    pub scan: Option<u32>,
-    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
-    #[arg(long, value_name = "DIR")]
-    pub cases: Option<PathBuf>,
-}
-
-/// `stickler lint`.
-#[derive(Args, Debug)]
-pub struct LintArguments {
-    /// The folder of the cases [default: conformance-cases here or above, or those inside the program]
-    #[arg(value_name = "DIR")]
-    pub cases: Option<PathBuf>,
 }
 
 /// A source file and the dialect to read it in.

@@ -1,12 +1,10 @@
 //! Finds and reads `stickler.toml`.
 
 use crate::engines::{EngineEntry, TableContext, entry};
-use crate::error::ConfigurationError;
 use std::collections::BTreeMap;
-use std::fs;
-use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 use stickler_types::dialect_file::{ConfigurationMistake, definitions, mistake, table};
 use stickler_types::{DialectName, ElementaryType};
 use toml::Spanned;
@@ -174,4 +172,29 @@ fn position(text: &str, at: usize) -> (usize, usize) {
     let line = before.matches('\n').count() + 1;
     let start = before.rfind('\n').map_or(0, |feed| feed + 1);
     (line, before[start..].chars().count() + 1)
+}
+
+/// The error of a configuration file that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum ConfigurationError {
+    /// The file cannot be read.
+    #[error("cannot read {}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The cause.
+        source: io::Error,
+    },
+    /// The contents of the file are wrong.
+    #[error("{}:{line}:{column}: {message}", path.display())]
+    Mistake {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// The column, from 1, in Unicode scalar values.
+        column: usize,
+        /// A description of the mistake and of what to do, as a sentence without its full stop.
+        message: String,
+    },
 }

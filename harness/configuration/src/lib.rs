@@ -9,9 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod engines;
-mod error;
 mod file;
 
 pub use engines::{EngineEntry, EngineKind};
-pub use error::ConfigurationError;
-pub use file::{ConfigurationFile, FILE_NAME};
+pub use file::{ConfigurationError, ConfigurationFile, FILE_NAME};

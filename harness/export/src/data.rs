@@ -1,25 +1,33 @@
 //! Support data: what systems have and what they answer to questions about conversions, each with its source, as one JSON document.
 //!
 //! [`SupportData::gather`] collects it from cases, documents and recordings, and [`write_data`] writes it with its schema, which
-//! describes each key, and as packages for npm and PyPI.
+//! describes each key, with its types for TypeScript, and as packages for npm and PyPI.
 
-mod folder;
 mod questions;
 #[cfg(test)]
 mod tests;
 
-use crate::source_line::SourceLine;
-pub use folder::{DATA, write_data};
+use crate::ExportError;
+use crate::export::is_occupied;
+use crate::source_line::source_line;
 use questions::Answers;
 pub use questions::{Kind, Questions, answer_word, call_question};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
 use stickler_conversions::overview::{StatementsBuilder, rules};
 use stickler_conversions::recording::Recording;
 use stickler_exact::Signature;
 use stickler_suite::{Feature, FeatureSupport, Source, SourceKind, Suite};
 use stickler_types::DialectName;
+
+/// The file of the data; a folder that has it is one of support data.
+pub const DATA: &str = "stickler-data.json";
+
+/// The word in the files of packages for which the version is written.
+const VERSION: &str = "0.0.0";
 
 /// What systems have, and what they answer to questions about conversions. The schema describes what is in it.
 #[derive(Serialize)]
@@ -30,7 +38,7 @@ pub struct SupportData<'a> {
     conversions: BTreeMap<&'a str, Vec<Value>>,
     functions: Value,
     questions: Questions,
-    sources: BTreeMap<String, SourceLine<'a>>,
+    sources: BTreeMap<String, Value>,
 }
 
 impl<'a> SupportData<'a> {
@@ -74,7 +82,7 @@ impl<'a> SupportData<'a> {
                 .or_default()
                 .push(line);
         }
-        let line = |basis: String| (basis.clone(), SourceLine::new(basis, &suite.sources));
+        let line = |basis: String| (basis.clone(), source_line(&basis, &suite.sources));
         data.sources = cited.into_iter().map(line).collect();
         data
     }
@@ -93,7 +101,7 @@ fn system(dialect: DialectName, suite: &Suite) -> Value {
     let mut own: Vec<&Source> = suite.sources.iter().filter(is_own).collect();
     // What a product was seen to do is of one version, and a page often of none.
     own.sort_by_key(|source| !matches!(source.kind, SourceKind::Recording | SourceKind::Measurement));
-    let document = |source: &&Source| SourceLine::new(format!("{}:", source.key), &suite.sources);
+    let document = |source: &&Source| source_line(&format!("{}:", source.key), &suite.sources);
     json!({
         "name": rules.title,
         "about": rules.about,
@@ -154,4 +162,49 @@ fn conversion(signature: &Signature, dialects: &[DialectName]) -> Value {
         "systems": names(dialects),
         "rules": lines,
     })
+}
+
+/// Writes data into a folder, which is empty, does not exist yet, or has earlier data, which is replaced.
+///
+/// # Errors
+/// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
+pub fn write_data(data: &SupportData<'_>, folder: &Path) -> Result<(), ExportError> {
+    if is_occupied(folder)? && !folder.join(DATA).is_file() {
+        let other = format!(" and holds no earlier data (there is no {DATA} in it)");
+        return Err(ExportError::Occupied(folder.to_owned(), other));
+    }
+    let json =
+        serde_json::to_string(data).map_err(|error| ExportError::Write(folder.join(DATA), error.into()))?;
+    let types = include_str!("data/types.d.ts");
+    let readme = include_str!("data/package/README.md");
+    for (name, text) in [
+        (DATA, &*json),
+        ("stickler-data.schema.json", include_str!("data/schema.json")),
+        ("stickler-data.d.ts", types),
+        ("npm/package.json", include_str!("data/package/package.json")),
+        ("npm/index.json", &json),
+        ("npm/index.d.ts", types),
+        ("npm/README.md", readme),
+        ("pypi/pyproject.toml", include_str!("data/package/pyproject.toml")),
+        ("pypi/README.md", readme),
+        (
+            "pypi/stickler_data/__init__.py",
+            include_str!("data/package/init.py"),
+        ),
+        ("pypi/stickler_data/data.json", &json),
+        ("pypi/stickler_data/py.typed", ""),
+    ] {
+        let path = folder.join(name);
+        let versioned = [name.ends_with("package.json"), name.ends_with(".toml")].contains(&true);
+        let text = if versioned {
+            text.replace(VERSION, data.version)
+        } else {
+            text.to_owned()
+        };
+        let created = path.parent().map_or(Ok(()), fs::create_dir_all);
+        created
+            .and_then(|()| fs::write(&path, text))
+            .map_err(|error| ExportError::Write(path, error))?;
+    }
+    Ok(())
 }

@@ -7,21 +7,9 @@ use stickler_run::DefinedHeader;
 /// The errors of writing an export, and of reading its results.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
-    /// The folder holds other files than those of an export.
-    #[error(
-        "{} is not empty and holds no earlier export (there is no {} of one in it); name an empty folder, or one that is not there yet",
-        .0.display(), crate::MANIFEST
-    )]
-    NotEmpty(PathBuf),
-    /// The folder of an export without a harness holds files.
-    #[error("{} is not empty; name an empty folder, or one that is not there yet", .0.display())]
-    Occupied(PathBuf),
-    /// The folder holds other files than those of support data.
-    #[error(
-        "{} is not empty and holds no earlier data (there is no {} in it); name an empty folder, or one that is not there yet",
-        .0.display(), crate::DATA
-    )]
-    NoData(PathBuf),
+    /// The folder holds files, and what it was to hold before is not among them; holds a fragment that says so, which may be empty.
+    #[error("{} is not empty{}; name an empty folder, or one that is not there yet", .0.display(), .1)]
+    Occupied(PathBuf, String),
     /// The folder holds no export.
     #[error(
         "{} holds no export (there is no {} in it); name the folder that `stickler export` wrote with --export DIR",

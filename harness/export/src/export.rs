@@ -60,7 +60,7 @@ pub struct Exported {
 /// its page can run; pages without such a case do not change, and arrays that were copied from them stay valid.
 ///
 /// # Errors
-/// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`]; [`ExportError::Character`] and
+/// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`]; [`ExportError::Character`] and
 /// [`ExportError::Syntax`] where a page does not fit into the project.
 pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Exported, ExportError> {
     prepare(folder)?;
@@ -125,6 +125,18 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     Ok(exported)
 }
 
+/// Returns whether there is a folder and something in it.
+///
+/// # Errors
+/// [`ExportError::Read`].
+pub(crate) fn is_occupied(folder: &Path) -> Result<bool, ExportError> {
+    match fs::read_dir(folder) {
+        Ok(mut entries) => Ok(entries.next().is_some()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(ExportError::Read(folder.to_owned(), error)),
+    }
+}
+
 /// Makes the folder, or removes the files of an earlier export from it.
 fn prepare(folder: &Path) -> Result<(), ExportError> {
     let writing = |error| ExportError::Write(folder.to_owned(), error);
@@ -145,7 +157,8 @@ fn prepare(folder: &Path) -> Result<(), ExportError> {
     let has_page = names.iter().any(|name| is_of_a_page(name));
     let broken = names.iter().all(|name| is_ours(name)) && (has_page || !has_manifest);
     if !broken && !Manifest::is_at(&folder.join(MANIFEST)) {
-        return Err(ExportError::NotEmpty(folder.to_owned()));
+        let other = format!(" and holds no earlier export (there is no {MANIFEST} of one in it)");
+        return Err(ExportError::Occupied(folder.to_owned(), other));
     }
     for name in names.iter().filter(|name| is_ours(name) && *name != ANSWERS) {
         let path = folder.join(name);

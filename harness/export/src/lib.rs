@@ -23,7 +23,6 @@ mod page_case;
 mod paste;
 mod plain;
 mod plcopen;
-mod reason;
 mod record;
 mod result_arrays;
 #[cfg(test)]
@@ -38,7 +37,6 @@ pub use error::ExportError;
 pub use export::{ExportPlan, Exported, export};
 pub use import::{CopiedText, Export, Imported};
 pub use manifest::MANIFEST;
-pub use page_case::ExtraCases;
+pub use page_case::{ExtraCases, Reason};
 pub use plain::{CASES, PlainExported, export_plain};
 pub use plcopen::ProjectPlan;
-pub use reason::Reason;

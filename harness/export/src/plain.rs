@@ -1,18 +1,19 @@
 //! Writes cases without a harness: one line of JSON for each case, and for each that can be tried by hand a file of Structured
 //! Text whose variables `CHECK_1`, `CHECK_2` … become TRUE.
 
-mod line;
 mod program;
 #[cfg(test)]
 mod tests;
 
 use crate::ExportError;
-use line::CaseLine;
+use crate::export::is_occupied;
+use crate::source_line::source_line;
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
-use std::io::{BufWriter, ErrorKind, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
-use stickler_suite::{Case, Sources};
+use stickler_suite::{Acceptance, Case, ExpectedDiagnostic, Sources};
 
 /// The file of the cases.
 pub const CASES: &str = "cases.jsonl";
@@ -42,13 +43,8 @@ pub struct PlainExported {
 /// # Errors
 /// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
 pub fn export_plain(cases: &[&Case], sources: &Sources, folder: &Path) -> Result<PlainExported, ExportError> {
-    let is_occupied = match fs::read_dir(folder) {
-        Ok(mut entries) => entries.next().is_some(),
-        Err(error) if error.kind() == ErrorKind::NotFound => false,
-        Err(error) => return Err(ExportError::Read(folder.to_owned(), error)),
-    };
-    if is_occupied {
-        return Err(ExportError::Occupied(folder.to_owned()));
+    if is_occupied(folder)? {
+        return Err(ExportError::Occupied(folder.to_owned(), String::new()));
     }
     create(folder)?;
     let schema = folder.join(SCHEMA);
@@ -73,12 +69,63 @@ pub fn export_plain(cases: &[&Case], sources: &Sources, folder: &Path) -> Result
             }
         };
         exported.cases += 1;
-        let line = CaseLine::new(case, sources, file);
-        let written = serde_json::to_writer(&mut out, &line).map_err(Into::into);
-        written.and_then(|()| writeln!(out)).map_err(writing(&lines))?;
+        writeln!(out, "{}", line(case, sources, file)).map_err(writing(&lines))?;
     }
     out.flush().map_err(writing(&lines))?;
     Ok(exported)
+}
+
+/// Returns the line of a case, by which its file of Structured Text is found, if it has one. The schema says what the keys mean.
+fn line(case: &Case, sources: &Sources, file: Option<String>) -> Value {
+    let set = case.set.iter().map(|setting| {
+        json!({ "before": setting.before, "name": setting.name, "value": setting.value.to_string() })
+    });
+    let clock = case.clock.iter();
+    let clock = clock.map(|time| json!({ "before": time.before, "nanoseconds": time.nanoseconds }));
+    json!({
+        "id": case.id,
+        "dialect": case.dialect.as_str(),
+        "title": case.title,
+        "question": case.question.as_ref().map(ToString::to_string),
+        "features": case.features(),
+        "program": case.source,
+        "scans": case.scans,
+        "set": set.collect::<Vec<_>>(),
+        "clock": clock.collect::<Vec<_>>(),
+        "expected": expected(case),
+        "source": source_line(&case.basis, sources),
+        "file": file,
+    })
+}
+
+/// Returns what must come of a case.
+fn expected(case: &Case) -> Value {
+    let expectation = &*case.expectation;
+    let lines = |all: &[ExpectedDiagnostic]| {
+        let line = |one: &ExpectedDiagnostic| json!({ "line": one.line, "code": one.code.as_str() });
+        all.iter().map(line).collect::<Value>()
+    };
+    let values = expectation
+        .values
+        .iter()
+        .map(|value| json!({ "name": value.name, "after": value.after, "value": value.value.to_string() }));
+    let is_asserted = |name: &str| expectation.values.iter().any(|value| &*value.name == name);
+    let recorded = case.observe.iter().map(|observe| &*observe.name);
+    let fault = expectation.fault;
+    let rendered = expectation.rendered.as_ref();
+    json!({
+        "program": match expectation.accepted {
+            Acceptance::Required => "accepted",
+            Acceptance::Rejected => "rejected",
+            Acceptance::Observed => "open",
+        },
+        "errors": lines(&expectation.diagnostics),
+        "warnings": lines(&expectation.warnings),
+        "values": values.collect::<Vec<_>>(),
+        "recorded": recorded.filter(|name| !is_asserted(name)).collect::<Vec<_>>(),
+        "fault": fault.map(|fault| json!({ "kind": fault.fault.to_string(), "line": fault.line })),
+        "rendered": rendered.map(|text| &text.lines),
+    })
 }
 
 fn create(folder: &Path) -> Result<(), ExportError> {

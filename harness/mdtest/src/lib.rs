@@ -40,16 +40,14 @@
 mod block;
 mod differences;
 pub mod examples;
-mod expansion;
 mod folder;
 mod markdown;
 mod marks;
 pub mod schema;
 
-pub use block::{Block, Difference, Program, same};
+pub use block::{Block, Difference, Program, expanded, same};
 pub use differences::{Reported, differences};
 pub use examples::{Example, check_examples, fits};
-pub use expansion::expanded;
 pub use folder::check;
 pub use markdown::{Fence, Section, sections};
 pub use marks::{Marks, Value};

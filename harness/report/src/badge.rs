@@ -4,18 +4,8 @@
 
 use crate::claims::Standing;
 use crate::overview::Overview;
-use serde::Serialize;
+use serde_json::{Value, json};
 use stickler_types::counted;
-
-/// The content of the file.
-#[derive(PartialEq, Eq, Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-struct Endpoint {
-    schema_version: u32,
-    label: &'static str,
-    message: String,
-    color: &'static str,
-}
 
 /// Returns the content of the file.
 ///
@@ -25,7 +15,7 @@ pub(crate) fn json(overview: &Overview) -> serde_json::Result<Vec<u8>> {
     serde_json::to_vec(&endpoint(overview))
 }
 
-fn endpoint(overview: &Overview) -> Endpoint {
+fn endpoint(overview: &Overview) -> Value {
     let engines = overview.engines();
     let standings: Vec<Standing> = engines
         .iter()
@@ -42,12 +32,7 @@ fn endpoint(overview: &Overview) -> Endpoint {
         }
     };
     let worst = standings.iter().filter_map(|standing| standing.per_mille()).min();
-    Endpoint {
-        schema_version: 1,
-        label: "Stickler",
-        message,
-        color: color(worst),
-    }
+    json!({ "schemaVersion": 1, "label": "Stickler", "message": message, "color": color(worst) })
 }
 
 fn share(standing: Standing) -> String {

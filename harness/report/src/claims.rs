@@ -4,6 +4,8 @@
 use crate::basis::Basis;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
+use std::iter::Sum;
+use std::ops::AddAssign;
 use stickler_run::{CaseEvent, Verdict};
 
 /// The results of the cases of one claim, counted. Every case counts once.
@@ -64,8 +66,10 @@ impl Standing {
         };
         *counter += 1;
     }
+}
 
-    pub(crate) fn add(&mut self, other: Standing) {
+impl AddAssign for Standing {
+    fn add_assign(&mut self, other: Standing) {
         self.passed += other.passed;
         self.failed += other.failed;
         self.known += other.known;
@@ -73,6 +77,15 @@ impl Standing {
         self.open += other.open;
         self.unsupported += other.unsupported;
         self.waiting += other.waiting;
+    }
+}
+
+impl<'a> Sum<&'a Standing> for Standing {
+    fn sum<I: Iterator<Item = &'a Standing>>(all: I) -> Standing {
+        all.fold(Standing::default(), |mut sum, standing| {
+            sum += *standing;
+            sum
+        })
     }
 }
 
@@ -161,8 +174,7 @@ impl Claims {
                 });
             }
             let sums = rows[document].standings.iter_mut();
-            sums.zip(&standings)
-                .for_each(|(sum, standing)| sum.add(*standing));
+            sums.zip(&standings).for_each(|(sum, standing)| *sum += *standing);
             rows.push(Row {
                 source,
                 section,
@@ -175,10 +187,8 @@ impl Claims {
 
     /// Returns the sum of all claims for an engine.
     pub fn of_engine(&self, engine: &str) -> Standing {
-        let mut sum = Standing::default();
-        let claims = self.engines.get(engine).into_iter().flat_map(FxHashMap::values);
-        claims.for_each(|standing| sum.add(*standing));
-        sum
+        let claims = self.engines.get(engine).into_iter();
+        claims.flat_map(FxHashMap::values).sum()
     }
 }
 

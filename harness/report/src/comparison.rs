@@ -3,16 +3,14 @@
 //! Both runs are read as streams. A few words are kept of each case of the older run, and of the newer run only the
 //! differences, so that memory stays small however many cases there are.
 
-mod json;
 mod older_case;
 mod page;
 
-pub use json::write_json;
-pub use page::write;
+pub use page::{write, write_json};
 
 use crate::LogError;
-use crate::engine;
 use crate::events::Reader;
+use crate::overview;
 use older_case::OlderCase;
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
@@ -269,7 +267,7 @@ impl Matching {
                 Box::new(ComparedTexts {
                     new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
-                    rerun: engine::rerun(engine::named(&self.found.new.engines, &case.engine), &case),
+                    rerun: overview::rerun(overview::named(&self.found.new.engines, &case.engine), &case),
                     expected,
                     place: case.place(),
                     title: case.title,

@@ -6,8 +6,6 @@
 //! The document is built with quick-junit, which writes XML that JUnit's readers accept.
 
 mod case;
-mod suite;
-mod tally;
 
 use crate::claims::Claim;
 use crate::groups::{Group, GroupNumber, Groups};
@@ -15,17 +13,16 @@ use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
-use crate::{ReportError, engine};
+use crate::{ReportError, overview};
 use indexmap::IndexMap;
-use quick_junit::{Report, TestCase, TestCaseStatus, TestSuite};
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_run::{CaseEvent, EngineHeader, Event, Verdict};
-use suite::{add, error, failure, problem, suite};
-use tally::ProbeTally;
+use stickler_run::{CaseEvent, EngineHeader, Event, Fact, Verdict};
+use stickler_types::counted;
 
 /// The tests of a run, gathered because the file separates test suites whose cases alternate in the stream of events.
 pub(crate) struct Junit {
@@ -35,12 +32,58 @@ pub(crate) struct Junit {
     engines: Vec<EngineHeader>,
 }
 
-/// The counts of those cases of a group that share a test.
+/// The counts of those cases of a group that share a test, by their verdict.
+type GroupTally = BTreeMap<Verdict, ProbeTally>;
+
+/// The number of cases with one verdict, and the sums of their observations and times.
 #[derive(Default)]
-struct GroupTally {
-    passed: ProbeTally,
-    unsupported: ProbeTally,
-    waiting: ProbeTally,
+struct ProbeTally {
+    cases: u64,
+    observations: u64,
+    microseconds: u64,
+    /// The text of the first case's actual facts; empty where the cases passed.
+    got: String,
+}
+
+impl ProbeTally {
+    /// Adds a case.
+    fn take(&mut self, case: &CaseEvent) {
+        self.add(ProbeTally {
+            cases: 1,
+            observations: case.observations.len() as u64,
+            microseconds: case.duration_us,
+            got: match case.verdict {
+                Verdict::Unsupported | Verdict::Waiting if self.cases == 0 => Fact::text(&case.got),
+                _ => String::new(),
+            },
+        });
+    }
+
+    /// Adds the cases of another tally.
+    fn add(&mut self, other: ProbeTally) {
+        if self.cases == 0 {
+            self.got = other.got;
+        }
+        self.cases += other.cases;
+        self.observations += other.observations;
+        self.microseconds += other.microseconds;
+    }
+
+    /// Adds the test of the cases of a probe with this verdict to a suite.
+    fn add_test(&self, suite: &mut TestSuite, group: &Group, verdict: Verdict) {
+        let status = case::kind(verdict).map(|(status, message)| {
+            let cases = counted(self.cases, "case", "cases");
+            let message = format!("{message} ({cases}): {}", group.title);
+            problem(status, verdict.as_str(), &message, &self.got)
+        });
+        let mut test = TestCase::new(&*group.id, status.unwrap_or_else(TestCaseStatus::success));
+        for (name, number) in [("cases", self.cases), ("observations", self.observations)] {
+            if number > 0 {
+                test.add_property((name.to_owned(), number.to_string()));
+            }
+        }
+        add(suite, test, self.microseconds);
+    }
 }
 
 impl Junit {
@@ -71,14 +114,13 @@ impl Junit {
         if self.groups.len() <= group {
             self.groups.resize_with(group + 1, GroupTally::default);
         }
-        let tally = &mut self.groups[group];
         match case.verdict {
-            Verdict::Pass => tally.passed.take(case),
-            Verdict::Unsupported => tally.unsupported.take(case),
-            Verdict::Waiting => tally.waiting.take(case),
+            Verdict::Pass | Verdict::Unsupported | Verdict::Waiting => {
+                self.groups[group].entry(case.verdict).or_default().take(case);
+            }
             _ => {
                 let name = suite_name(&case.engine, &case.dialect, &case.area);
-                let test = case::test(case, engine::named(&self.engines, &case.engine));
+                let test = case::test(case, overview::named(&self.engines, &case.engine));
                 add(suite_of(&mut self.suites, name), test, case.duration_us);
             }
         }
@@ -92,18 +134,16 @@ impl Junit {
             let (_, sum) = tallies
                 .entry(probe)
                 .or_insert_with(|| (group, GroupTally::default()));
-            sum.passed.add(tally.passed);
-            sum.unsupported.add(tally.unsupported);
-            sum.waiting.add(tally.waiting);
+            for (verdict, tally) in tally {
+                sum.entry(verdict).or_default().add(tally);
+            }
         }
         for (group, tally) in tallies.values() {
-            let suite = suite_of(
-                &mut self.suites,
-                suite_name(&group.engine, &group.dialect, &group.area),
-            );
-            tally.passed.add_test(suite, group, Verdict::Pass);
-            tally.unsupported.add_test(suite, group, Verdict::Unsupported);
-            tally.waiting.add_test(suite, group, Verdict::Waiting);
+            let name = suite_name(&group.engine, &group.dialect, &group.area);
+            let suite = suite_of(&mut self.suites, name);
+            for (verdict, tally) in tally {
+                tally.add_test(suite, group, *verdict);
+            }
         }
     }
 
@@ -218,4 +258,39 @@ fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
         let _ = write!(name, " ({})", claim.engine);
     }
     name
+}
+
+/// Returns a test suite without tests.
+fn suite(name: &str) -> TestSuite {
+    let mut suite = TestSuite::new(name);
+    suite.set_time(Duration::ZERO);
+    suite
+}
+
+/// Adds a test, which took so many microseconds, to a suite, which adds up the time of its tests.
+fn add(suite: &mut TestSuite, mut test: TestCase, microseconds: u64) {
+    let time = Duration::from_micros(microseconds);
+    test.set_classname(suite.name.clone()).set_time(time);
+    suite.set_time(suite.time.unwrap_or_default() + time);
+    suite.add_test_case(test);
+}
+
+/// Returns the status of a test that gave a wrong result.
+fn failure() -> TestCaseStatus {
+    TestCaseStatus::non_success(NonSuccessKind::Failure)
+}
+
+/// Returns the status of a test that gave no result.
+fn error() -> TestCaseStatus {
+    TestCaseStatus::non_success(NonSuccessKind::Error)
+}
+
+/// Describes a failure, an error or a skip: its kind in Stickler's terms, a message on one line, in which line ends and tabs become
+/// spaces, as XML readers normalize the attribute, and the full text.
+fn problem(mut status: TestCaseStatus, type_name: &str, message: &str, text: &str) -> TestCaseStatus {
+    status
+        .set_type(type_name)
+        .set_message(message.replace(['\n', '\t'], " "))
+        .set_description(text);
+    status
 }

@@ -34,7 +34,6 @@ mod compared;
 pub mod comparison;
 pub mod diff;
 mod discrepancies;
-mod engine;
 mod error;
 pub mod events;
 mod folder;

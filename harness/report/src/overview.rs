@@ -1,12 +1,11 @@
 //! The overview of a run for people, gathered once for the terminal and the Markdown summary.
 
 use crate::claims::{Claims, entry};
-use crate::engine;
 use crate::observations::Observations;
 use std::collections::BTreeMap;
 use stickler_run::{
-    CaseEvent, Cause, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals, Verdict,
-    clip_facts,
+    CaseEvent, Cause, EngineHeader, Event, Footer, Grade, Header, OutdatedEntry, SourceHeader, Totals,
+    Verdict, clip_facts,
 };
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
@@ -111,7 +110,7 @@ impl Overview {
 
     /// Returns the engine with this name, where the header names it.
     pub(crate) fn engine(&self, name: &str) -> Option<&EngineHeader> {
-        engine::named(&self.header.as_ref()?.engines, name)
+        named(&self.header.as_ref()?.engines, name)
     }
 
     /// Returns the entries of baselines that are out of date; a run with any of them is not as expected.
@@ -136,16 +135,8 @@ impl Overview {
 
     /// Returns the verdict counts of the whole run.
     pub fn sum(&self) -> Totals {
-        let mut sum = Totals::default();
-        for totals in self
-            .totals
-            .values()
-            .flat_map(BTreeMap::values)
-            .flat_map(BTreeMap::values)
-        {
-            sum += *totals;
-        }
-        sum
+        let areas = self.totals.values().flat_map(BTreeMap::values);
+        areas.flat_map(BTreeMap::values).sum()
     }
 }
 
@@ -156,6 +147,22 @@ pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
         got: clip_facts(&case.got, MAX_KEPT_LINES),
         ..case.clone()
     }
+}
+
+/// Returns the engine with this name, where the header names it.
+pub(crate) fn named<'h>(engines: &'h [EngineHeader], name: &str) -> Option<&'h EngineHeader> {
+    engines.iter().find(|engine| engine.name == name)
+}
+
+/// Returns the worst grade of a rejection by an engine that still passed; [`Grade::Code`] for an engine that the header does
+/// not name.
+pub(crate) fn strictness(engine: Option<&EngineHeader>) -> Grade {
+    engine.map_or(Grade::Code, |engine| engine.strict)
+}
+
+/// Returns the command that runs a case again; empty for an engine that the header does not name.
+pub(crate) fn rerun(engine: Option<&EngineHeader>, case: &CaseEvent) -> String {
+    engine.map_or_else(String::new, |engine| engine.rerun(&case.id, &case.dialect))
 }
 
 #[cfg(test)]

@@ -11,10 +11,8 @@
 //! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases; missing in the page of a site, which has the newest run of each engine |
 
 mod answers;
-mod assets;
 mod cases;
 mod run;
-mod script_json;
 mod texts;
 
 use crate::ReportError;
@@ -23,9 +21,10 @@ use crate::overview::Overview;
 use crate::pending::PendingFile;
 use answers::AnswersData;
 pub(crate) use answers::PageAnswers;
-pub(crate) use assets::STYLE;
 use cases::MissedCases;
 use serde::Serialize;
+use serde_json::Serializer;
+use serde_json::ser::Formatter;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use stickler_conversions::overview::Statements;
@@ -58,8 +57,8 @@ pub(crate) fn write(
     (statements, answers): (&Statements, PageAnswers),
     cases: Option<&impl Serialize>,
 ) -> io::Result<()> {
-    let (before_style, before_data, before_script, end) = assets::skeleton();
-    write!(out, "{before_style}{}{before_data}", assets::STYLE)?;
+    let (before_style, before_data, before_script, end) = skeleton();
+    write!(out, "{before_style}{STYLE}{before_data}")?;
     data(out, "run", run)?;
     let answers = answers.into_data();
     data(out, "conversions", &ConversionsData { statements, answers })?;
@@ -67,7 +66,7 @@ pub(crate) fn write(
         data(out, "cases", cases)?;
     }
     out.write_all(before_script.as_bytes())?;
-    for script in assets::SCRIPTS {
+    for script in SCRIPTS {
         out.write_all(script.as_bytes())?;
     }
     out.write_all(end.as_bytes())
@@ -133,8 +132,70 @@ impl Page {
 /// Writes an element with data that a script reads.
 fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()> {
     write!(out, "<script type=\"application/json\" id=\"data-{id}\">")?;
-    script_json::write(out, value)?;
+    write_json(out, value)?;
     out.write_all(b"</script>\n")
+}
+
+/// A compact format that escapes `<`, so that no text of the data ends the element or begins a comment in it.
+struct ScriptFormatter;
+
+impl Formatter for ScriptFormatter {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, out: &mut W, fragment: &str) -> io::Result<()> {
+        let mut pieces = fragment.split('<');
+        out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
+        for piece in pieces {
+            out.write_all(br"\u003c")?;
+            out.write_all(piece.as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes a value as JSON without the character `<`.
+///
+/// # Errors
+/// Errors of writing to `out`.
+fn write_json(out: &mut impl Write, value: &impl Serialize) -> io::Result<()> {
+    let mut serializer = Serializer::with_formatter(out, ScriptFormatter);
+    Ok(value.serialize(&mut serializer)?)
+}
+
+/// The style sheet.
+pub(crate) const STYLE: &str = include_str!("page/page.css");
+
+/// The scripts. Each file declares functions; the last one runs them.
+const SCRIPTS: [&str; 18] = [
+    include_str!("page/dom.js"),
+    include_str!("page/address.js"),
+    include_str!("page/data.js"),
+    include_str!("page/program.js"),
+    include_str!("page/conversions.js"),
+    include_str!("page/system.js"),
+    include_str!("page/explorer.js"),
+    include_str!("page/curves.js"),
+    include_str!("page/plots.js"),
+    include_str!("page/matrices.js"),
+    include_str!("page/bits.js"),
+    include_str!("page/contradictions.js"),
+    include_str!("page/claims.js"),
+    include_str!("page/causes.js"),
+    include_str!("page/cases.js"),
+    include_str!("page/observations.js"),
+    include_str!("page/site.js"),
+    include_str!("page/main.js"),
+];
+
+/// The skeleton of the page, in which three marks stand for what is put in.
+const SKELETON: &str = include_str!("page/page.html");
+
+/// Returns the four parts of the skeleton: before the style, before the data, before the scripts, and the rest.
+fn skeleton() -> (&'static str, &'static str, &'static str, &'static str) {
+    let parts = SKELETON.split_once("{style}").and_then(|(before_style, rest)| {
+        let (before_data, rest) = rest.split_once("{data}")?;
+        let (before_script, end) = rest.split_once("{script}")?;
+        Some((before_style, before_data, before_script, end))
+    });
+    parts.expect("the skeleton has its three marks, as a test sees")
 }
 
 #[cfg(test)]

@@ -3,12 +3,10 @@
 //! Missing parts are reported in sentences, and then the stream has no footer: every reader calls it truncated, and nobody
 //! takes it for the whole. The parts are read side by side; memory holds one event of each.
 
-mod belonging;
-
 use crate::LogError;
 use crate::events::Reader;
 use std::io::BufRead;
-use stickler_run::{CaseEvent, Cause, EngineTotals, Event, Footer, Header};
+use stickler_run::{CaseEvent, Cause, EngineHeader, EngineTotals, Event, Footer, Header};
 use stickler_workers::Shard;
 
 /// The event log of one part of a run, with the name that messages use for it.
@@ -82,7 +80,7 @@ fn open<R: BufRead>(
                 continue;
             }
         };
-        let shard = match belonging::shard(&header) {
+        let shard = match shard(&header) {
             Ok(shard) => shard,
             Err(reason) => {
                 missing.push(format!("{name} {reason}"));
@@ -91,7 +89,7 @@ fn open<R: BufRead>(
         };
         let (whole, count, named) =
             first.get_or_insert_with(|| (header.clone(), shard.count(), name.clone()));
-        if let Some(difference) = belonging::difference((whole, *count), (&header, shard.count())) {
+        if let Some(difference) = difference((whole, *count), (&header, shard.count())) {
             missing.push(format!(
                 "{name} is no part of the same run as {named}: {difference}"
             ));
@@ -107,7 +105,7 @@ fn open<R: BufRead>(
     streams.sort_by_key(|stream| stream.shard.index());
     let there: Vec<u32> = streams.iter().map(|stream| stream.shard.index()).collect();
     let count = first.as_ref().map_or(0, |(_, count, _)| *count);
-    belonging::absent(&there, count, missing);
+    absent(&there, count, missing);
     (first.map(|(header, ..)| header), streams)
 }
 
@@ -235,3 +233,81 @@ fn footer<R>(header: &Header, streams: &[PartReader<R>]) -> Footer {
 
 #[cfg(test)]
 mod tests;
+
+/// The maximum number of missing parts that are named one by one.
+const MAX_NAMED: usize = 20;
+
+/// Returns the part of a run that a header describes.
+///
+/// # Errors
+/// Returns the rest of a sentence about the part where its header describes none.
+fn shard(header: &Header) -> Result<Shard, String> {
+    match &header.shard {
+        None => Err("is a whole run, and no part of one".to_owned()),
+        Some(text) => text.parse().map_err(|error| format!("cannot be used: {error}")),
+    }
+}
+
+/// Describes the first difference between two parts, each given with the number of parts; `None` where they belong to one
+/// run.
+fn difference((one, parts): (&Header, u32), (other, other_parts): (&Header, u32)) -> Option<String> {
+    let differs = |what: &str, here: &str, there: &str| {
+        (here != there).then(|| format!("its {what} is {there}, and that of the other {here}"))
+    };
+    differs("number of parts", &parts.to_string(), &other_parts.to_string())
+        .or_else(|| differs("version of Stickler", &one.stickler, &other.stickler))
+        .or_else(|| differs("version of the suite", &one.suite, &other.suite))
+        .or_else(|| differs("list of engines", &engines(one), &engines(other)))
+        .or_else(|| differs("--filter", &list(&one.filters), &list(&other.filters)))
+        .or_else(|| differs("--dialect", &list(&one.dialects), &list(&other.dialects)))
+        .or_else(|| {
+            (one.broken_files != other.broken_files).then(|| "other case files are broken in it".to_owned())
+        })
+        .or_else(|| {
+            (rules(one) != rules(other)).then(|| "stickler.toml defines its dialects otherwise".to_owned())
+        })
+        .or_else(|| {
+            (one.baselines != other.baselines).then(|| "its baselines are not those of the other".to_owned())
+        })
+}
+
+/// Returns the definitions of custom dialects without the numbers of dropped cases, which may differ from part to part.
+fn rules(header: &Header) -> Vec<(&str, &str, &[String])> {
+    let defined = header.defined.iter();
+    defined
+        .map(|dialect| (&*dialect.name, &*dialect.extends, &*dialect.overrides))
+        .collect()
+}
+
+fn engines(header: &Header) -> String {
+    let named = |engine: &EngineHeader| {
+        format!(
+            "{} {} judged by {}, in {}",
+            engine.name,
+            engine.version,
+            engine.strict,
+            engine.dialects.join(" ")
+        )
+    };
+    let engines: Vec<String> = header.engines.iter().map(named).collect();
+    engines.join("; ")
+}
+
+fn list(words: &[String]) -> String {
+    match words {
+        [] => "not given".to_owned(),
+        words => words.join(", "),
+    }
+}
+
+/// Describes the missing parts of so many.
+fn absent(there: &[u32], count: u32, missing: &mut Vec<String>) {
+    let mut absent = (1..=count).filter(|part| !there.contains(part));
+    for part in absent.by_ref().take(MAX_NAMED) {
+        missing.push(format!("part {part}/{count} is missing"));
+    }
+    // A hostile number of parts must not make as many sentences.
+    if let Some(part) = absent.next() {
+        missing.push(format!("part {part}/{count} is missing, and so may be others"));
+    }
+}

@@ -2,18 +2,21 @@
 //!
 //! The cases that passed, and what was observed, are in the event log alone.
 
-mod document;
-
+#[cfg(test)]
+use crate::claims::Claim;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::{ReportError, engine};
-#[cfg(test)]
-pub(crate) use document::ResultsDocument;
-use document::{CaseResult, EngineResult};
+use crate::text::kept;
+use crate::{ReportError, overview};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{EngineHeader, Event, Footer, Header, Verdict};
+#[cfg(test)]
+use stickler_run::{BaselineHeader, Cause, DefinedHeader, SourceHeader};
+use stickler_run::{
+    BaselineNote, CaseEvent, EngineHeader, Event, Fact, Footer, Grade, Header, Observed, Totals, Verdict,
+};
 
 /// The name of the document in a folder of reports.
 pub(crate) const NAME: &str = "results.json";
@@ -54,7 +57,7 @@ impl Results {
             }
             Event::Case(case) if case.verdict != Verdict::Pass => {
                 self.cases += 1;
-                let case = CaseResult::of(case, engine::named(&self.engines, &case.engine));
+                let case = CaseResult::of(case, overview::named(&self.engines, &case.engine));
                 element(&mut self.file, self.cases == 1, &case)
             }
             // Causes and the footer are taken from the overview, when the document ends.
@@ -147,4 +150,145 @@ fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> 
             totals: totals(&engine.name).map(|found| found.totals).unwrap_or_default(),
         })
         .collect()
+}
+
+/// The results of a run of Stickler, a conformance suite of IEC 61131-3 compilers. Readers ignore keys that they do not know.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[expect(
+    dead_code,
+    reason = "the document is written piece by piece; only its schema is made of this type"
+)]
+pub(crate) struct ResultsDocument<'d> {
+    /// The version of this format.
+    #[schemars(extend("const" = FORMAT))]
+    format: u32,
+    /// The version of Stickler.
+    stickler: String,
+    /// The version of the suite.
+    suite: String,
+    /// The time at which the run began.
+    #[schemars(extend("format" = "date-time"))]
+    started: String,
+    /// The duration of the run, in milliseconds.
+    duration_ms: u64,
+    /// The duration of the search for causes, in milliseconds; `null` where there was none.
+    causes_ms: Option<u64>,
+    /// The engines that took part.
+    #[schemars(length(min = 1))]
+    engines: Vec<EngineResult<'d>>,
+    /// The filters by which cases were selected, as they were typed, and those that left cases out, behind `not`; empty where all cases
+    /// were selected.
+    filters: Vec<String>,
+    /// The dialects whose cases were selected; empty where all were.
+    dialects: Vec<String>,
+    /// The part of a divided run, such as `2/4`.
+    shard: Option<String>,
+    /// The case files that could not be read: file, line, key and what is wrong.
+    broken_files: Vec<String>,
+    /// The baselines that took part.
+    baselines: Vec<BaselineHeader>,
+    /// The dialects of the run that stickler.toml defines.
+    defined: Vec<DefinedHeader>,
+    /// The sources that the cases of the suite may cite.
+    sources: Vec<SourceHeader>,
+    /// The claims, each with the numbers of its cases.
+    claims: Vec<Claim<'d>>,
+    /// The causes of failing cases, those that explain most cases first.
+    causes: Vec<Cause>,
+    /// The cases that did not pass.
+    cases: Vec<CaseResult<'d>>,
+}
+
+/// An engine that took part, with its totals.
+#[derive(serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct EngineResult<'d> {
+    /// The name of the engine.
+    #[cfg_attr(test, schemars(length(min = 1)))]
+    name: &'d str,
+    /// The version of the engine.
+    version: &'d str,
+    /// The dialects that the engine supports.
+    dialects: &'d [String],
+    /// The worst grade of a rejection or a fault that passed.
+    strict: Grade,
+    /// The template of the command that runs a case again.
+    rerun: &'d str,
+    /// The number of times that each verdict came.
+    totals: Totals,
+}
+
+/// A case that did not pass.
+#[derive(serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+struct CaseResult<'d> {
+    /// The id of the case; together with dialect and engine it is unique.
+    id: &'d str,
+    /// The dialect of the case.
+    dialect: &'d str,
+    /// The name of the engine.
+    engine: &'d str,
+    /// The verdict, which is not `pass`.
+    verdict: Verdict,
+    /// Whether the case asserts nothing, or only that the program is accepted.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    open: bool,
+    /// The grade of a rejection or a fault.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    grade: Option<Grade>,
+    /// The title of the case.
+    title: &'d str,
+    /// The claim of the case: source and section.
+    basis: &'d str,
+    /// The area of the case.
+    area: &'d str,
+    /// The path of the case file.
+    file: &'d str,
+    /// The line of the case in the case file, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    /// The expected facts.
+    expected: &'d [Fact],
+    /// The actual facts, side by side with the expected ones.
+    got: &'d [Fact],
+    /// The time that the engine took, in microseconds.
+    duration_us: u64,
+    /// The command that runs the case alone.
+    rerun: String,
+    /// The observations of the case.
+    #[serde(skip_serializing_if = "<[Observed]>::is_empty")]
+    observations: &'d [Observed],
+    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    program: Option<Cow<'d, str>>,
+    /// The note of the engine's baseline on the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    baseline: Option<&'d BaselineNote>,
+}
+
+impl<'d> CaseResult<'d> {
+    /// Returns the element for a case.
+    fn of(case: &'d CaseEvent, engine: Option<&EngineHeader>) -> CaseResult<'d> {
+        CaseResult {
+            id: &case.id,
+            dialect: &case.dialect,
+            engine: &case.engine,
+            verdict: case.verdict,
+            open: case.open,
+            grade: case.grade,
+            title: &case.title,
+            basis: &case.basis,
+            area: &case.area,
+            file: &case.file,
+            line: case.line,
+            expected: &case.expected,
+            got: &case.got,
+            duration_us: case.duration_us,
+            rerun: overview::rerun(engine, case),
+            observations: &case.observations,
+            program: case.program.as_deref().map(kept),
+            baseline: case.baseline.as_ref(),
+        }
+    }
 }

@@ -2,7 +2,6 @@
 //!
 //! Each run is read as a stream and only counted; two runs are compared by [`crate::comparison`], as `stickler compare` does.
 
-mod check;
 mod engine_page;
 mod feed;
 mod front_page;

@@ -11,7 +11,7 @@ use crate::terminal::lacks::said;
 use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
-use crate::{compared, diff, engine};
+use crate::{compared, diff, overview};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
@@ -115,8 +115,7 @@ fn totals(overview: &Overview, page: &mut BoundedMarkdown) {
     page.add(&format!("|---|---|{}--:|\n", "--:|".repeat(areas.len())));
     for (engine, dialects) in &overview.totals {
         for (dialect, totals) in dialects {
-            let mut sum = Totals::default();
-            totals.values().for_each(|totals| sum += *totals);
+            let sum = totals.values().sum();
             let of_areas = areas.iter().map(|area| totals.get(*area));
             let numbers = cells(of_areas.chain([Some(&sum)]).map(total_cell));
             page.add(&format!(
@@ -224,7 +223,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
 
 fn failure(case: &CaseEvent, overview: &Overview) -> String {
     let engine = overview.engine(&case.engine);
-    let (expected, got) = compared::texts(case, engine::strictness(engine));
+    let (expected, got) = compared::texts(case, overview::strictness(engine));
     let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let difference = diff::text(&expected, &got);
@@ -246,7 +245,7 @@ fn failure(case: &CaseEvent, overview: &Overview) -> String {
         title = inline(&case.title),
         basis = basis(case, overview),
         place = inline(&case.place()),
-        rerun = code(&engine::rerun(engine, case)),
+        rerun = code(&overview::rerun(engine, case)),
     )
 }
 

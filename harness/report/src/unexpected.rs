@@ -3,7 +3,7 @@
 
 use crate::overview::Overview;
 use crate::text::visible;
-use crate::{compared, engine};
+use crate::{compared, overview};
 use stickler_run::{CaseEvent, Cause, Fact, Verdict};
 use stickler_types::{counted, shortened};
 
@@ -74,7 +74,7 @@ impl Unexpected {
 
 fn of_case(case: &CaseEvent, overview: &Overview) -> Unexpected {
     let engine = overview.engine(&case.engine);
-    let (expected, got) = compared::texts(case, engine::strictness(engine));
+    let (expected, got) = compared::texts(case, overview::strictness(engine));
     let what = match case.verdict {
         Verdict::Xpass => "passes, but its baseline expects it not to",
         verdict => verdict.as_str(),
@@ -92,7 +92,7 @@ fn of_case(case: &CaseEvent, overview: &Overview) -> Unexpected {
             &expected,
             &got,
             case.program.as_deref().unwrap_or_default(),
-            &engine::rerun(engine, case),
+            &overview::rerun(engine, case),
         ),
         key: format!("{}: {}@{}", case.engine, case.id, case.dialect),
         cases: 1,

@@ -1,8 +1,9 @@
-//! Filters over case ids, and the choice of case files that a filter may select.
+//! Filters over case ids, the choice of case files that a filter may select, and the selection of cases by a plan.
 
+use crate::Plan;
 use std::convert::Infallible;
 use std::str::FromStr;
-use stickler_suite::FileKind;
+use stickler_suite::{Case, FileKind};
 use stickler_types::DialectName;
 
 /// A filter over case ids. It is read in one of three ways, the first that applies:
@@ -114,4 +115,41 @@ fn pattern_fits(pattern: &str, text: &str) -> bool {
         text = &text[at + piece.len()..];
     }
     text.ends_with(last)
+}
+
+/// Selects the cases that fit the plan's dialects, filters and shard, and none of what it excludes, in the order of the suite. A filter
+/// that is the id or the key of a case among the dialects selects that case alone.
+#[must_use]
+pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
+    let spoken = |case: &&Case| plan.dialects.is_empty() || plan.dialects.contains(&case.dialect);
+    let mut selected: Vec<&Case> = cases.iter().filter(spoken).collect();
+    if !plan.filters.is_empty() {
+        let chosen = chosen_by_any(&plan.filters, &selected);
+        let mut chosen = chosen.into_iter();
+        selected.retain(|_| chosen.next().unwrap_or(false));
+    }
+    if !plan.excluded.is_empty() {
+        let mut excluded = chosen_by_any(&plan.excluded, &selected).into_iter();
+        selected.retain(|_| !excluded.next().unwrap_or(false));
+    }
+    if let Some(shard) = plan.shard {
+        selected.retain(|case| shard.holds_case(&case.id, case.dialect.as_str()));
+    }
+    selected
+}
+
+fn chosen_by_any(filters: &[Filter], cases: &[&Case]) -> Vec<bool> {
+    let mut chosen = vec![false; cases.len()];
+    for filter in filters {
+        let names = |case: &&Case| filter.names(&case.id, case.dialect.as_str());
+        let exact = cases.iter().any(names);
+        for (mark, case) in chosen.iter_mut().zip(cases) {
+            *mark |= if exact {
+                names(case)
+            } else {
+                filter.fits(&case.id, case.dialect.as_str())
+            };
+        }
+    }
+    chosen
 }

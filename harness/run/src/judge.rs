@@ -3,17 +3,14 @@
 
 mod bodies;
 mod diagnostics;
-mod findings;
 mod rendered;
 mod values;
 
+use crate::clip::clip_answer;
+use crate::{Answers, Fact, Grade, Observed, Verdict};
 pub use bodies::rendered_bodies;
 pub use diagnostics::tells_too_little_only;
 pub use rendered::{differ_in_blanks_only, renders_bit_access};
-
-use crate::clip::clip_answer;
-use crate::{Answers, Fact, Grade, Observed, Verdict};
-use findings::Findings;
 use stickler_engines::{Diagnostic, NamedValue, Outcome};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault, ExpectedText};
 use stickler_types::Fault;
@@ -255,4 +252,39 @@ fn observations(case: &Case, run: &Outcome) -> Vec<Observed> {
         values::unasserted(case, values, &mut observations);
     }
     observations
+}
+
+/// The actual facts of a case, and whether they meet the expectation.
+#[derive(Default)]
+struct Findings {
+    got: Vec<Fact>,
+    missed: bool,
+    unsupported: bool,
+}
+
+impl Findings {
+    /// Adds an actual fact.
+    fn add(&mut self, fact: Fact) {
+        self.got.push(fact);
+    }
+
+    /// Fails the case unless the condition holds.
+    fn require(&mut self, holds: bool) {
+        self.missed |= !holds;
+    }
+
+    /// Records that the engine does not support a part of the case.
+    fn unsupported(&mut self) {
+        self.unsupported = true;
+    }
+
+    /// Returns the verdict and the actual facts.
+    fn finish(self) -> (Verdict, Vec<Fact>) {
+        let verdict = match (self.missed, self.unsupported) {
+            (true, _) => Verdict::Fail,
+            (false, true) => Verdict::Unsupported,
+            (false, false) => Verdict::Pass,
+        };
+        (verdict, self.got)
+    }
 }

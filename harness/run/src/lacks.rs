@@ -1,24 +1,22 @@
 //! The features of the language that an engine lacks, and the cases that wait for them.
 //!
 //! A partial compiler refuses each program that uses what it does not have. So before the first case an engine is
-//! [asked](survey()) for the minimal programs of the features that the selected cases use, and for the [counterparts](counterparts)
+//! [asked](survey()) for the minimal programs of the features that the selected cases use, and for the [counterparts](counterparts())
 //! of programs that it must reject. A feature whose program is refused is judged once, by what promises it; a refused case that
 //! uses it is waiting. Where the engine does something else than to refuse the program of a case, the case is judged like any other,
 //! so that waiting hides no wrong value, no crash and no mistake that the engine does not find.
 
-mod counterparts;
 mod report;
 mod survey;
 
-pub(crate) use report::WaitingCases;
-pub(crate) use survey::{Survey, survey};
-
 use crate::{Fact, Verdict};
+pub(crate) use report::WaitingCases;
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Outcome;
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey};
 use stickler_types::{DialectName, ElementaryType};
+pub(crate) use survey::{Survey, survey};
 
 /// What one engine of a run does not take.
 #[derive(Clone, Debug, Default)]
@@ -112,4 +110,64 @@ impl Refusal {
             | Outcome::Unusable { .. } => None,
         }
     }
+}
+
+/// The features that programs use, each with the cases that use just these.
+type CasesByFeatures<'s> = BTreeMap<BTreeSet<FeatureKey>, Vec<&'s Case>>;
+
+/// A case without a mistake, with the cases whose counterpart it is.
+type Counterpart<'s> = (&'s Case, Vec<&'s Case>);
+
+/// Returns the counterparts of those of the `selected` cases that must be rejected: of the cases `beside` them of the same file and dialect,
+/// which must be accepted, the one whose constructs differ least, elementary types aside. A case whose file has none has no counterpart.
+fn counterparts<'s>(selected: &CasesByFeatures<'s>, beside: &CasesByFeatures<'s>) -> Vec<Counterpart<'s>> {
+    let mut accepted: HashMap<FileKey<'_>, BTreeMap<Constructs<'_>, &'s Case>> = HashMap::new();
+    for (constructs, case) in by_constructs(beside) {
+        let of_file = accepted.entry(file_key(case)).or_default();
+        let shortest = of_file.entry(constructs).or_insert(case);
+        if case.source.len() < shortest.source.len() {
+            *shortest = case;
+        }
+    }
+    let mut rejected: BTreeMap<(FileKey<'_>, Constructs<'_>), Vec<&'s Case>> = BTreeMap::new();
+    let must_be = |(_, case): &(_, &Case)| case.expectation.accepted == Acceptance::Rejected;
+    for (constructs, case) in by_constructs(selected).filter(must_be) {
+        rejected
+            .entry((file_key(case), constructs))
+            .or_default()
+            .push(case);
+    }
+    let mut found: BTreeMap<(&str, DialectName), Counterpart<'s>> = BTreeMap::new();
+    for ((file, constructs), rejected) in rejected {
+        let unlikeness = |(of, case): &(&Constructs<'_>, &&Case)| {
+            (of.symmetric_difference(&constructs).count(), case.source.len())
+        };
+        let beside = accepted.get(&file).into_iter().flatten();
+        if let Some((_, counterpart)) = beside.min_by_key(unlikeness) {
+            let of = found.entry((&counterpart.id, counterpart.dialect));
+            of.or_insert((counterpart, Vec::new())).1.extend(rejected);
+        }
+    }
+    found.into_values().collect()
+}
+
+/// The case file and the dialect of a case.
+type FileKey<'k> = (&'k str, DialectName);
+
+fn file_key(case: &Case) -> FileKey<'_> {
+    (&case.file, case.dialect)
+}
+
+/// The features that a program uses, but for the elementary types.
+type Constructs<'k> = BTreeSet<&'k str>;
+
+fn by_constructs<'k, 's>(cases: &'k CasesByFeatures<'s>) -> impl Iterator<Item = (Constructs<'k>, &'s Case)> {
+    cases.iter().flat_map(|(features, cases)| {
+        let constructs: Constructs<'k> = features
+            .iter()
+            .map(|key| &**key)
+            .filter(|key| !is_type(key))
+            .collect();
+        cases.iter().map(move |&case| (constructs.clone(), case))
+    })
 }

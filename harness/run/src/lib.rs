@@ -22,7 +22,6 @@ mod lacks;
 mod pack;
 mod plan;
 mod schedule;
-mod select;
 mod symptom;
 
 pub use answer_store::{AnswerStore, ask_stored, ask_stored_together, question};
@@ -38,13 +37,12 @@ pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, He
 pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
-pub use filter::Filter;
+pub use filter::{Filter, select};
 pub use inherited::{dialect_headers, drop_changed_cases};
 pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
 pub use lacks::Lacks;
 pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, RunSummary};
 pub use schedule::{run, run_with};
-pub use select::select;
 pub use stickler_engines::Grade;
 pub use symptom::Symptom;

@@ -2,7 +2,6 @@
 
 mod batches;
 mod context;
-mod known;
 
 use crate::answer_store::AnswerStore;
 use crate::event::{
@@ -11,8 +10,7 @@ use crate::event::{
 use crate::lacks::{self, Survey, WaitingCases};
 use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, Verdict, is_asked, select};
 use batches::Batches;
-use context::RunContext;
-use known::KnownAnswers;
+use context::{KnownAnswers, RunContext};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};

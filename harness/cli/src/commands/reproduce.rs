@@ -1,15 +1,14 @@
 //! `stickler reproduce`: writes all that shows a case on a compiler without Stickler.
 
-mod page;
 mod subject;
 
 use crate::arguments::ReproduceArguments;
 use crate::exit::Exit;
 use crate::{engines, interrupt, output};
 use anyhow::{Context, anyhow, bail};
-use page::{README, ReproductionPage};
+use std::fmt::Write as _;
 use std::fs;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{
@@ -169,4 +168,71 @@ fn shown_here(
     let (reproduction, printed) = reproduce_and_run(engine, &request, ability)?;
     let printed = printed.map_err(|reason| output::note(format!("run.sh: {reason}")));
     Ok((reproduction, printed.ok().map(|printed| printed.text)))
+}
+
+/// The name of the file.
+const README: &str = "README.md";
+
+/// The facts that are printed about a reproduction.
+struct ReproductionPage<'p> {
+    subject: &'p ReproducedProgram,
+    /// The name of the engine.
+    engine: &'p str,
+    /// The name of the file of the program.
+    program: &'p str,
+    /// The version of the compiler that is here, and what the script printed.
+    printed: Option<(&'p str, &'p str)>,
+}
+
+impl ReproductionPage<'_> {
+    /// Returns the text of the README.
+    fn text(&self) -> String {
+        let (heading, title) = self.subject.heading();
+        let mut text = format!("# `{heading}` on {}\n\n", self.engine);
+        // Writing into a String does not fail.
+        if !title.is_empty() {
+            let _ = write!(text, "{title}.\n\n");
+        }
+        let _ = write!(
+            text,
+            "`sh run.sh` gives `{}` to {}, with the compiler's own tools alone. The variables at the head of `run.sh` say where \
+             these are.\n\n",
+            self.program, self.engine
+        );
+        for (what, shown) in self.results() {
+            let _ = write!(text, "{what}:\n\n{}\n", indented(&shown));
+        }
+        let _ = writeln!(text, "Lines are those of `{}`.", self.program);
+        text
+    }
+
+    /// Writes the expectation and the output.
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        for (what, shown) in self.results() {
+            writeln!(out, "{what}:\n\n{}", indented(&shown))?;
+        }
+        Ok(())
+    }
+
+    /// Returns the expectation and the output, each with what it is.
+    fn results(&self) -> Vec<(String, String)> {
+        let mut results = Vec::new();
+        if let Some((facts, basis)) = self.subject.expected() {
+            results.push((format!("Expected, by {basis}"), facts));
+        }
+        if let Some((version, text)) = self.printed {
+            let text = if text.is_empty() { "(nothing)" } else { text };
+            results.push((format!("Printed with {} {version}", self.engine), text.to_owned()));
+        }
+        results
+    }
+}
+
+/// Returns a text as a block of Markdown, which no text can end.
+fn indented(text: &str) -> String {
+    let lines = text.lines().map(|line| match line.trim_end() {
+        "" => "\n".to_owned(),
+        line => format!("    {line}\n"),
+    });
+    lines.collect()
 }

@@ -56,36 +56,8 @@ fn write_group(group: &[&Case], suite: &Suite, scan: Option<u32>, out: &mut dyn 
     if let Some(summary) = &case.summary {
         writeln!(out, "{}\n", wrap(summary))?;
     }
-    writeln!(out, "{DIM}basis{DIM:#}     {}", case.basis)?;
-    if let Some((source, section)) = suite.sources.of(&case.basis) {
-        writeln!(
-            out,
-            "{DIM}source{DIM:#}    {}, {}",
-            source.relation.with_kind(source.kind.as_str()),
-            source.address_of(section)
-        )?;
-    }
-    let is_against = |other: &Contradiction| other.is_of(&case.basis, (&case.id, &case.source));
-    for against in documented::contradictions(suite, &[case.dialect], is_against) {
-        writeln!(out, "{DIM}but{DIM:#}       {against}")?;
-    }
-    if !case.is_open() {
-        writeln!(out, "{DIM}binds{DIM:#}     {}", bound(case, suite))?;
-    }
-    let held = versions(Claim::of(case), None, suite);
-    if held != Versions::default() {
-        writeln!(out, "{DIM}versions{DIM:#}  {held}")?;
-    }
-    writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
-    writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
-    if let Some(question) = &case.question {
-        writeln!(out, "{DIM}asks{DIM:#}      {question}")?;
-    }
-    if !case.tags.is_empty() {
-        writeln!(out, "{DIM}tags{DIM:#}      {}", case.tags.join(", "))?;
-    }
-    if case.scans != 1 {
-        writeln!(out, "{DIM}scans{DIM:#}     {}", case.scans)?;
+    for (label, text) in facts(case, &dialects, suite) {
+        writeln!(out, "{DIM}{label}{DIM:#}{:1$}{text}", "", 10 - label.len())?;
     }
     writeln!(out, "\n{BOLD}Program{BOLD:#}\n")?;
     // The lines of the header and of marks in front are blank.
@@ -99,6 +71,39 @@ fn write_group(group: &[&Case], suite: &Suite, scan: Option<u32>, out: &mut dyn 
     }
     writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
     write_expectation(case, out)
+}
+
+/// Returns what is known of a case besides its program and expectation, each with its label.
+fn facts(case: &Case, dialects: &[&str], suite: &Suite) -> Vec<(&'static str, String)> {
+    let mut facts = vec![("basis", case.basis.to_string())];
+    if let Some((source, section)) = suite.sources.of(&case.basis) {
+        let kind = source.relation.with_kind(source.kind.as_str());
+        facts.push(("source", format!("{kind}, {}", source.address_of(section))));
+    }
+    let is_against = |other: &Contradiction| other.is_of(&case.basis, (&case.id, &case.source));
+    let against = documented::contradictions(suite, &[case.dialect], is_against);
+    facts.extend(against.into_iter().map(|against| ("but", against)));
+    if !case.is_open() {
+        facts.push(("binds", bound(case, suite)));
+    }
+    let held = versions(Claim::of(case), None, suite);
+    if held != Versions::default() {
+        facts.push(("versions", held.to_string()));
+    }
+    facts.push(("dialects", dialects.join(", ")));
+    facts.push(("at", format!("{}:{}", case.file, case.line)));
+    facts.extend(
+        case.question
+            .iter()
+            .map(|question| ("asks", question.to_string())),
+    );
+    if !case.tags.is_empty() {
+        facts.push(("tags", case.tags.join(", ")));
+    }
+    if case.scans != 1 {
+        facts.push(("scans", case.scans.to_string()));
+    }
+    facts
 }
 
 /// Draws the scans of a case as a timing diagram: of many those up to `scan`, or the first.

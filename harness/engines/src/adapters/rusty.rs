@@ -8,7 +8,6 @@
 
 mod diagnostics;
 mod driver;
-mod errors;
 mod library;
 mod pack;
 mod program;
@@ -24,8 +23,8 @@ use super::rename::library_words;
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use diagnostics::OutputParser;
+use diagnostics::{ErrorPart, LocatedDiagnostic, sorted};
 use driver::RustyDriver;
-use errors::{ErrorPart, LocatedDiagnostic, sorted};
 use library::StandardLibrary;
 use program::PackedProgram;
 use std::collections::HashSet;

@@ -4,7 +4,7 @@ use super::ProcessLimits;
 use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::message;
-use super::time_limit::milliseconds;
+use super::milliseconds;
 use crate::protocol::{HelloReply, HelloRequest, PROTOCOL, Reply, Request};
 use crate::{Ability, EngineError, Grade, Identity, Outcome};
 use serde_json::Value as Json;

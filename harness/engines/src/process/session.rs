@@ -5,7 +5,7 @@ use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::greeting::{too_much, with_words};
 use super::message::{self, Verb};
-use super::time_limit::{milliseconds, time_limit};
+use super::{milliseconds, time_limit};
 use crate::protocol::Request;
 use crate::{Identity, Observation, Outcome, RunRequest, Session};
 use std::time::Duration;

@@ -4,8 +4,8 @@ mod output;
 
 use super::child::last_lines;
 use super::group::ProcessGroup;
-use super::time_limit::{milliseconds, time_limit};
 use super::usage::Watch;
+use super::{milliseconds, time_limit};
 use crate::Outcome;
 use output::{Streams, Waited};
 use std::ffi::OsStr;

@@ -85,5 +85,5 @@ fn the_data_fits_the_schema_and_only_earlier_data_is_replaced() {
     assert_eq!(read("npm/package.json")["version"], suite.version);
     fs::remove_file(into.join(DATA)).expect("a file");
     let refused = write_data(&data, &into);
-    assert!(matches!(refused, Err(ExportError::NoData(_))), "{refused:?}");
+    assert!(matches!(refused, Err(ExportError::Occupied(..))), "{refused:?}");
 }

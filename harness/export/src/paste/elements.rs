@@ -13,21 +13,8 @@ pub(super) struct Element<'l> {
     rest: &'l str,
 }
 
-/// The headings of columns of values, in the languages of known editors.
-const HEADINGS: [&str; 12] = [
-    "value",
-    "monitor value",
-    "actual value",
-    "current value",
-    "online value",
-    "live value",
-    "wert",
-    "beobachtungswert",
-    "aktueller wert",
-    "aktualwert",
-    "online-wert",
-    "valeur",
-];
+/// The headings of columns of values, in the languages of known editors, one a line.
+const HEADINGS: &str = include_str!("headings.txt");
 
 /// Returns the elements that a line names.
 pub(super) fn of(line: &str) -> Vec<Element<'_>> {
@@ -168,9 +155,10 @@ fn value<'l>(element: &Element<'l>, in_column: Option<&'l str>) -> Result<i32, (
 
 /// Returns the index of the column whose heading is one of [`HEADINGS`].
 fn value_column(line: &str) -> Option<usize> {
-    cells(line)
-        .iter()
-        .position(|cell| HEADINGS.contains(&cell.trim().trim_matches('"').to_lowercase().as_str()))
+    cells(line).iter().position(|cell| {
+        let heading = cell.trim().trim_matches('"').to_lowercase();
+        HEADINGS.lines().any(|known| known == heading)
+    })
 }
 
 fn cell(line: &str, number: usize) -> Option<&str> {

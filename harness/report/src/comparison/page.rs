@@ -1,19 +1,52 @@
-//! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result.
+//! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result. Writes it as JSON, too.
 
 use super::{Change, ComparedTexts, Comparison, Kind, UnmatchedCase};
-use crate::engine;
 use crate::observations::probe;
+use crate::overview;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
 use crate::text::{verdicts, visible};
 use anstyle::Style;
 use indexmap::IndexMap;
+use serde_json::{Value, json};
 use std::io::{self, Write};
 use stickler_run::{Header, Totals};
 use stickler_types::counted;
 
 /// The maximum number of groups of one kind that are shown.
 const MAX_SHOWN: usize = 20;
+
+/// The version of the JSON format.
+const FORMAT: u32 = 1;
+
+/// Writes the comparison as one JSON object and a line feed, for other programs. All changes are in it, the first
+/// [`MAX_DETAILED`](super::MAX_DETAILED) of each kind with their expected and actual texts.
+///
+/// # Errors
+/// Returns the error of writing to `out`.
+pub fn write_json(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
+    let engines = comparison.engines.iter();
+    let engines: Vec<Value> = engines
+        .map(|(old, new)| json!({ "old": old, "new": new }))
+        .collect();
+    let mut counts = json!({
+        "added": comparison.added.len(), "gone": comparison.gone.len(), "same": comparison.same,
+    });
+    for kind in Kind::ALL {
+        counts[kind.as_str()] = comparison.of_kind(kind).count().into();
+    }
+    let document = json!({
+        "format": FORMAT,
+        "old": comparison.old,
+        "new": comparison.new,
+        "engines": engines,
+        "counts": counts,
+        "changes": comparison.changes,
+        "added": comparison.added,
+        "gone": comparison.gone,
+    });
+    writeln!(out, "{document:#}")
+}
 
 /// Writes the comparison.
 ///
@@ -68,7 +101,7 @@ fn write_runs(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
 }
 
 fn version(header: &Header, name: &str) -> String {
-    let version = engine::named(&header.engines, name).map_or("", |engine| engine.version.as_str());
+    let version = overview::named(&header.engines, name).map_or("", |engine| engine.version.as_str());
     visible(format!("{name} {version}").trim_end())
 }
 

@@ -1,8 +1,8 @@
 //! The JUnit test of a case that did not pass.
 
-use super::suite::{error, failure, problem};
+use super::{error, failure, problem};
 use crate::text::noted;
-use crate::{compared, diff, engine};
+use crate::{compared, diff, overview};
 use quick_junit::{TestCase, TestCaseStatus};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, EngineHeader, Fact, Verdict};
@@ -56,7 +56,7 @@ pub(super) fn kind(verdict: Verdict) -> Option<(TestCaseStatus, &'static str)> {
 }
 
 fn description(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
-    let (expected, got) = compared::texts(case, engine::strictness(engine));
+    let (expected, got) = compared::texts(case, overview::strictness(engine));
     let baseline = case
         .baseline
         .as_ref()
@@ -68,6 +68,6 @@ fn description(case: &CaseEvent, engine: Option<&EngineHeader>) -> String {
         expected = Fact::text(&case.expected),
         got = Fact::text(&case.got),
         diff = diff::text(&expected, &got),
-        rerun = engine::rerun(engine, case),
+        rerun = overview::rerun(engine, case),
     )
 }

@@ -38,19 +38,27 @@ const ENDING: [&str; 2] = ["--timeout=60000", "--virtual-time-budget=5000"];
 
 /// Returns a browser; prints why the tests are skipped where there is none.
 pub(crate) fn browser() -> Option<PathBuf> {
-    let named = env::var_os(VARIABLE).map(PathBuf::from);
+    installed(
+        VARIABLE,
+        &NAMES,
+        "no Chromium is installed to open index.html with",
+    )
+}
+
+/// Returns the program that a variable names, or the first of these names on PATH; prints why the tests are skipped where there
+/// is none.
+pub(super) fn installed(variable: &str, names: &[&str], missing: &str) -> Option<PathBuf> {
+    let named = env::var_os(variable).map(PathBuf::from);
     let paths = env::var_os("PATH").unwrap_or_default();
-    let installed = || {
-        let files = env::split_paths(&paths).flat_map(|folder| NAMES.map(|name| folder.join(name)));
-        files.into_iter().find(|file| file.is_file())
+    let on_path = || {
+        let folders = env::split_paths(&paths);
+        let mut files = folders.flat_map(|folder| names.iter().map(move |name| folder.join(name)));
+        files.find(|file| file.is_file())
     };
-    let found = named.or_else(installed);
+    let found = named.or_else(on_path);
     if found.is_none() {
         // Not `eprintln`, which nobody sees when the test passes.
-        let _ = writeln!(
-            std::io::stderr(),
-            "skipped: no Chromium is installed to open index.html with; {VARIABLE} names one"
-        );
+        let _ = writeln!(std::io::stderr(), "skipped: {missing}; {variable} names one");
     }
     found
 }

@@ -1,7 +1,6 @@
 //! Tests of the page as a file: what is in it, that texts stay texts, and that nothing is loaded.
 
-use super::Page;
-use super::assets::{SCRIPTS, STYLE, skeleton};
+use super::{Page, SCRIPTS, STYLE, skeleton, write_json};
 use crate::groups::Groups;
 use crate::sample;
 use serde_json::Value;
@@ -252,4 +251,14 @@ fn every_text_stands_out_from_its_ground_in_both_themes() {
             }
         }
     }
+}
+
+#[test]
+fn no_text_ends_the_element_and_all_texts_come_back() {
+    let texts = ["</script><script>alert(1)</script>", "<!--", "a < b", "\"<\\"];
+    let mut bytes = Vec::new();
+    write_json(&mut bytes, &texts).expect("written");
+    assert!(!bytes.contains(&b'<'));
+    let read: Vec<String> = serde_json::from_slice(&bytes).expect("JSON");
+    assert_eq!(read, texts);
 }

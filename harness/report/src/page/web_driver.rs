@@ -1,10 +1,10 @@
 //! A client of ChromeDriver for tests that press keys: the few commands of the WebDriver protocol that they need.
 
+use super::browser_tests::installed;
 use serde_json::{Value, json};
-use std::env;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 /// The variable that names a ChromeDriver.
@@ -26,20 +26,8 @@ pub(super) struct WebDriver {
 impl WebDriver {
     /// Starts a browser; prints why the test is skipped where no ChromeDriver is installed.
     pub(super) fn start(browser: &Path, options: &[&str]) -> Option<WebDriver> {
-        let named = env::var_os(VARIABLE).map(PathBuf::from);
-        let paths = env::var_os("PATH").unwrap_or_default();
-        let installed = || {
-            let mut files = env::split_paths(&paths).map(|folder| folder.join("chromedriver"));
-            files.find(|file| file.is_file())
-        };
-        let Some(program) = named.or_else(installed) else {
-            // Not `eprintln`, which nobody sees when the test passes.
-            let _ = writeln!(
-                io::stderr(),
-                "skipped: no ChromeDriver is installed to press keys in index.html with; {VARIABLE} names one"
-            );
-            return None;
-        };
+        let missing = "no ChromeDriver is installed to press keys in index.html with";
+        let program = installed(VARIABLE, &["chromedriver"], missing)?;
         let mut driver = Command::new(program)
             .arg("--port=0")
             .stdout(Stdio::piped())

@@ -4,48 +4,23 @@ use super::SiteError;
 use super::history::History;
 use super::run::SiteRun;
 use crate::answers::answer_of;
-use crate::engine;
 use crate::events::Reader;
+use crate::overview;
 use crate::page::{self, PageAnswers};
-use serde::Serialize;
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, Statements};
-use stickler_run::{Event, SourceHeader};
+use stickler_run::Event;
 
 /// The functions of the site, and what engines and recorded compilers give.
 pub(super) struct Functions<'s> {
     statements: &'s Statements,
     answers: PageAnswers,
-    runs: NewestRuns<'s>,
+    /// The newest runs of the engines, as the scripts of a page read the header of a run.
+    runs: Value,
     /// By engine and function, the calls that give something else than sources state.
     departures: BTreeMap<&'s str, BTreeMap<&'s str, BTreeSet<QuestionNumber>>>,
-}
-
-/// The newest runs of the engines, as the scripts of a page read the header of a run.
-#[derive(Serialize)]
-struct NewestRuns<'s> {
-    header: RunHeader<'s>,
-    /// No claims: the page has no cases.
-    claims: [(); 0],
-}
-
-#[derive(Serialize)]
-struct RunHeader<'s> {
-    engines: Vec<NewestRun<'s>>,
-    /// The sources of all runs, each as the newest run has it.
-    sources: Vec<&'s SourceHeader>,
-}
-
-/// The newest run of an engine.
-#[derive(Serialize)]
-struct NewestRun<'s> {
-    name: &'s str,
-    version: &'s str,
-    dialects: Vec<&'s str>,
-    /// The address of the copy of the run's page.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    page: Option<String>,
 }
 
 impl<'s> Functions<'s> {
@@ -66,13 +41,15 @@ impl<'s> Functions<'s> {
         let mut functions = Functions {
             statements,
             answers: PageAnswers::default(),
-            runs: NewestRuns {
-                header: RunHeader {
-                    engines: histories.iter().map(newest_run).collect(),
-                    sources: by_key.into_values().collect(),
+            runs: json!({
+                "header": {
+                    "engines": histories.iter().map(newest_run).collect::<Vec<_>>(),
+                    // Those of all runs, each as the newest run has it.
+                    "sources": by_key.into_values().collect::<Vec<_>>(),
                 },
-                claims: [],
-            },
+                // The page has no cases.
+                "claims": [],
+            }),
             departures: BTreeMap::new(),
         };
         if !statements.function_names().is_empty() {
@@ -137,21 +114,17 @@ impl<'s> Functions<'s> {
     }
 }
 
-fn newest_run<'s>(history: &'s History<'s>) -> NewestRun<'s> {
+/// Returns the newest run of an engine, with the address of the copy of its page, if it has one.
+fn newest_run(history: &History<'_>) -> Value {
     let newest = history.newest();
-    let engine = engine::named(&newest.run.header.engines, history.name);
-    NewestRun {
-        name: history.name,
-        version: newest.version,
-        dialects: engine.map_or_else(Vec::new, |engine| {
-            engine.dialects.iter().map(String::as_str).collect()
-        }),
-        page: newest
-            .run
-            .page
-            .as_ref()
-            .map(|_| format!("../runs/{}", newest.run.page_name())),
-    }
+    let engine = overview::named(&newest.run.header.engines, history.name);
+    let page = newest.run.page.is_some();
+    json!({
+        "name": history.name,
+        "version": newest.version,
+        "dialects": engine.map_or(&[][..], |engine| &engine.dialects),
+        "page": page.then(|| format!("../runs/{}", newest.run.page_name())),
+    })
 }
 
 /// Returns the address of a function's part of the page, in the folder of the page.

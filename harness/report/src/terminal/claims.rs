@@ -95,7 +95,7 @@ fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<DocumentRow>, usize) {
         for row in &sources {
             let sums = standings.iter_mut();
             sums.zip(&row.standings)
-                .for_each(|(sum, standing)| sum.add(*standing));
+                .for_each(|(sum, standing)| *sum += *standing);
         }
         lines.push(DocumentRow {
             names: vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())],

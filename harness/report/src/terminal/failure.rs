@@ -3,7 +3,7 @@
 use super::{BAD, BOLD, DIM, GOOD};
 use crate::diff::{self, DiffLine, Side};
 use crate::text::{MAX_SHOWN_CHARACTERS, clip, noted, visible};
-use crate::{compared, engine};
+use crate::{compared, overview};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_run::{CaseEvent, EngineHeader, Verdict};
@@ -41,13 +41,13 @@ pub fn write(
     }
     // A pass has no difference to show, even where it is not expected.
     if case.verdict != Verdict::Xpass {
-        let (expected, got) = compared::texts(case, engine::strictness(engine));
+        let (expected, got) = compared::texts(case, overview::strictness(engine));
         write_difference(out, ("expected", &expected), ("got", &got))?;
     }
     writeln!(
         out,
         "     {DIM}rerun   {DIM:#} {}\n",
-        visible(&engine::rerun(engine, case))
+        visible(&overview::rerun(engine, case))
     )
 }
 

@@ -20,12 +20,8 @@ pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) 
         failure::write(out, case, overview.engine(&case.engine), engines.len() > 1)?;
     }
     for engine in engines {
-        let mut sum = Totals::default();
-        let dialects = overview.totals.get(&engine.name).into_iter();
-        let areas = dialects
-            .flat_map(|dialects| dialects.values())
-            .flat_map(|areas| areas.values());
-        areas.for_each(|totals| sum += *totals);
+        let dialects = overview.totals.get(&engine.name).into_iter().flatten();
+        let sum: Totals = dialects.flat_map(|(_, areas)| areas.values()).sum();
         let style = if sum.unexpected() > 0 { BAD } else { GOOD };
         let cases = counted(sum.all(), "case", "cases");
         let (name, verdicts) = (visible(&engine.name), verdicts(&sum, |_| true));

@@ -35,11 +35,9 @@ fn by_area(overview: &Overview) -> Table {
     for area in areas {
         let name = Cell::left(format!("  {}", area.unwrap_or("all")));
         let of_engine = |dialects: &BTreeMap<String, BTreeMap<String, Totals>>| {
-            let mut sum = Totals::default();
             let all = dialects.values().flatten();
             let counted = all.filter(|(name, _)| area.is_none_or(|area| area == *name));
-            counted.for_each(|(_, totals)| sum += *totals);
-            total_cell(Some(&sum))
+            total_cell(Some(&counted.map(|(_, totals)| totals).sum()))
         };
         let cells = overview.totals.values().map(of_engine);
         table.row([name].into_iter().chain(cells).collect());
@@ -68,11 +66,9 @@ fn by_dialect(overview: &Overview) -> Table {
                 1 => format!("  {label}"),
                 _ => format!("  {engine} {label}"),
             };
-            let mut sum = Totals::default();
-            totals.values().for_each(|totals| sum += *totals);
             let mut cells = vec![Cell::left(name)];
             cells.extend(areas.iter().map(|area| total_cell(totals.get(*area))));
-            cells.push(total_cell(Some(&sum)));
+            cells.push(total_cell(Some(&totals.values().sum())));
             table.row(cells);
         }
     }

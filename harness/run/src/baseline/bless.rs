@@ -1,8 +1,8 @@
 //! Rewrites a baseline from the results of a run. Expectations are never touched: a baseline only states known deviations.
 
+use super::Owned;
 use super::fold::{CaseKey, Universe};
 use super::matched::EntryState;
-use super::owned::Owned;
 use super::write::{self, Added, Fate};
 use super::{Baseline, Entry, shown};
 use crate::Verdict;

@@ -1,7 +1,7 @@
 //! A baseline matched with the cases of a suite, and its application to their judgements.
 
+use super::Owned;
 use super::fold::CaseKey;
-use super::owned::Owned;
 use super::{Baseline, Entry};
 use crate::event::{BaselineHeader, BaselineNote, OutdatedEntry};
 use crate::{Filter, Judgement, Verdict};

@@ -2,6 +2,7 @@
 
 use super::Verdict;
 use serde::{Deserialize, Serialize};
+use std::iter::Sum;
 use std::ops::AddAssign;
 
 /// The number of times that each verdict came.
@@ -78,6 +79,15 @@ impl AddAssign for Totals {
         for verdict in Verdict::ALL {
             *self.counter(verdict) += other.of(verdict);
         }
+    }
+}
+
+impl<'a> Sum<&'a Totals> for Totals {
+    fn sum<I: Iterator<Item = &'a Totals>>(all: I) -> Totals {
+        all.fold(Totals::default(), |mut sum, totals| {
+            sum += *totals;
+            sum
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Compares expected diagnostics with actual ones, in one merge walk over two lists sorted by line and code.
 
-use super::findings::Findings;
+use super::Findings;
 use crate::{Fact, Grade};
 use std::cmp::Ordering;
 use stickler_engines::{Diagnostic, Severity};

@@ -1,7 +1,7 @@
 //! Compares a rendered text with the expected lines, and with the results of rendering and running it again.
 
+use super::Findings;
 use super::bodies::rendered_bodies;
-use super::findings::Findings;
 use crate::{Fact, Rendering};
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_suite::ExpectedText;

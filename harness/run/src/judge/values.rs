@@ -1,6 +1,6 @@
 //! Compares expected values with actual ones: exactly, but where the expectation allows for units in the last place.
 
-use super::findings::Findings;
+use super::Findings;
 use crate::{Fact, Observed};
 use stickler_engines::NamedValue;
 use stickler_suite::{Case, ExpectedValue};

@@ -1,6 +1,6 @@
 //! Asks the foreign engines of a run, before its first case, for minimal programs of features and for counterparts.
 
-use super::counterparts::{CasesByFeatures, Counterpart, counterparts};
+use super::{CasesByFeatures, Counterpart, counterparts};
 use super::{LackedFeature, Lacks, Refusal};
 use crate::answer_store::{AnswerStore, ask_stored_together};
 use crate::judge::judge;

@@ -1,22 +1,11 @@
 //! `stickler list --features`: how many cases use each feature of the language.
 
 use super::{BOLD, DIM, json_line};
-use serde::Serialize;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
-use stickler_suite::{Case, Features};
+use stickler_suite::{Case, Feature, Features};
 use stickler_workers::{SpawnError, WorkerPool};
-
-/// A feature, and the number of cases whose programs use it.
-#[derive(Serialize)]
-struct FeatureLine<'a> {
-    key: &'a str,
-    title: &'a str,
-    /// The tables and rows of IEC 61131-3, by edition.
-    tables: &'a BTreeMap<u8, String>,
-    needs: &'a [String],
-    cases: usize,
-}
 
 /// Writes each feature with the number of cases that use it, in the order of `features.toml`; as JSON with what it needs.
 ///
@@ -41,30 +30,24 @@ pub(super) fn write(
         || Ok::<_, SpawnError>(()),
         |(), chunk| Ok(count(chunk)),
     )?;
-    let number = |key: &str| counted.iter().filter_map(|counted| counted.get(key)).sum();
-    let lines = features.iter().map(|feature| FeatureLine {
-        key: &feature.key,
-        title: &feature.title,
-        tables: &feature.tables,
-        needs: &feature.needs,
-        cases: number(&feature.key),
-    });
-    if json {
-        return Ok(lines.into_iter().try_for_each(|line| json_line(out, &line))?);
-    }
-    let width = features
-        .iter()
-        .map(|feature| feature.key.len())
-        .max()
-        .unwrap_or_default();
-    for FeatureLine {
+    let number = |key: &str| -> usize { counted.iter().filter_map(|counted| counted.get(key)).sum() };
+    let width = features.iter().map(|feature| feature.key.len()).max();
+    let width = width.unwrap_or_default();
+    for Feature {
         key,
         title,
         tables,
-        cases,
+        needs,
         ..
-    } in lines
+    } in features.iter()
     {
+        let cases = number(key);
+        if json {
+            let line =
+                json!({ "key": key, "title": title, "tables": tables, "needs": needs, "cases": cases });
+            json_line(out, &line)?;
+            continue;
+        }
         let rows = tables
             .iter()
             .map(|(edition, rows)| format!("{rows} (edition {edition})"));

@@ -1,19 +1,10 @@
 //! `stickler list --places`: how many cases stand in each pair of places.
 
 use super::{BOLD, DIM, json_line};
-use serde::Serialize;
+use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_suite::{Case, Placement};
-
-/// The number of cases in a combination of places.
-#[derive(Serialize)]
-struct PlacesLine<'a> {
-    source: &'a str,
-    target: &'a str,
-    surrounding: &'a str,
-    cases: usize,
-}
 
 /// Writes three tables: sources and targets, sources and surroundings, targets and surroundings. As JSON it writes the combinations of
 /// all three. Cases with a program of their own do not count.
@@ -26,20 +17,15 @@ pub(super) fn write(out: &mut dyn Write, cases: &[&Case], json: bool) -> io::Res
         *counts.entry(placement).or_default() += 1;
     }
     if json {
-        return counts.iter().try_for_each(|(placement, &cases)| {
-            let Placement {
-                source,
-                target,
-                surrounding,
-            } = placement;
+        return counts.iter().try_for_each(|(placement, cases)| {
             json_line(
                 out,
-                &PlacesLine {
-                    source,
-                    target,
-                    surrounding,
-                    cases,
-                },
+                &json!({
+                    "source": placement.source,
+                    "target": placement.target,
+                    "surrounding": placement.surrounding,
+                    "cases": cases,
+                }),
             )
         });
     }

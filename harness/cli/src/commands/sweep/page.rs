@@ -1,6 +1,5 @@
 //! The page of a sweep: its inputs before it begins, its findings after it ended.
 
-use crate::exit::Exit;
 use crate::output::{BAD, BOLD, DIM};
 use std::io::{self, Write};
 use std::time::Duration;
@@ -161,11 +160,6 @@ impl<'p> SweepPage<'p> {
             self.sweeps,
             grouped(self.inputs)
         )
-    }
-
-    /// Returns the exit code of the sweeps so far.
-    pub const fn exit(&self) -> Exit {
-        Exit::Failures.when(self.mismatches > 0)
     }
 }
 

@@ -1,10 +1,10 @@
 //! Parses the diagnostics of `plc --error-format=clang`, and finds the file that each is about.
 
 use super::FUNCTIONS;
-use super::errors::{ErrorPart, LocatedDiagnostic, sorted};
 use super::program::PackedProgram;
 use crate::adapters::described::DiagnosticPattern;
 use crate::adapters::plain::without_colours;
+use crate::adapters::{Compiler, codes};
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
 use std::path::Path;
@@ -149,4 +149,28 @@ fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> LocatedDiagnostic 
 /// Returns a rejection with these diagnostics.
 pub(super) fn rejected(diagnostics: impl Iterator<Item = Diagnostic>) -> Outcome {
     Outcome::rejected(sorted(diagnostics))
+}
+
+/// The part of the compiled text that an error is about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum ErrorPart {
+    /// The program at this place of the pack.
+    Program(usize),
+    /// This line of the functions that show the values of programs.
+    Functions(u32),
+    /// Other text, or an unknown part.
+    Elsewhere,
+}
+
+/// An error, and the part that it is about.
+pub(super) type LocatedDiagnostic = (ErrorPart, Diagnostic);
+
+/// Returns the diagnostics with the registry's codes, sorted, each once.
+pub(super) fn sorted(diagnostics: impl Iterator<Item = Diagnostic>) -> Vec<Diagnostic> {
+    let codes = &Compiler::Rusty.data().codes;
+    codes::sorted(
+        diagnostics
+            .map(|diagnostic| codes.translated(diagnostic))
+            .collect(),
+    )
 }

@@ -4,9 +4,9 @@
 //! same kind in another: such programs are rejected at once, and the others go on without them. A program that the compiler
 //! names later, when it makes the object file, is run alone. No program sees what another does when it runs.
 
+use super::diagnostics::{ErrorPart, LocatedDiagnostic};
 use super::diagnostics::{rejected, steady};
 use super::driver::RustyDriver;
-use super::errors::{ErrorPart, LocatedDiagnostic};
 use super::program::PackedProgram;
 use super::{Rusty, execution};
 use crate::adapters::locate::suspects;

@@ -1,6 +1,6 @@
 //! A program as it is compiled: renamed, so that its names clash neither with those of C nor with those of another program.
 
-use super::errors::{ErrorPart, LocatedDiagnostic, sorted};
+use super::diagnostics::{ErrorPart, LocatedDiagnostic, sorted};
 use crate::adapters::recipe::PROGRAM;
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix};
 use crate::adapters::source::{MainProgram, main_program};
