@@ -39,3 +39,4 @@ mod raw;
 pub mod semantics;
 
 pub use api::{Limits, RequestError, check, check_bytes, errors, execute, locate, render, run, variables};
+pub use library::has_block;

@@ -80,7 +80,8 @@ pub(crate) fn with_blocks(
 }
 
 /// Returns whether a name is that of a standard function block, of whose variables only inputs and outputs are known to programs.
-pub(crate) fn has_block(name: &str) -> bool {
+#[must_use]
+pub fn has_block(name: &str) -> bool {
     block(&name.to_ascii_uppercase(), &Dialect::DEFAULT).is_some()
 }
 

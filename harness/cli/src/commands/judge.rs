@@ -1,16 +1,19 @@
 //! `stickler judge`: executes a program, function block or function on traces, and compares what comes out.
 
+mod basis;
 mod caller;
 mod result;
 mod trace;
 mod variables;
 
 use crate::arguments::JudgeArguments;
+use crate::case_folder::CaseFolder;
 use crate::engines::{self, REFERENCE};
 use crate::exit::Exit;
 use crate::source_file::{Program, files_of};
 use crate::{interrupt, output, snippet};
 use anyhow::{Context, bail, ensure};
+use basis::{Basis, Used};
 pub(super) use caller::Judged;
 use result::TraceResult;
 use std::io::Write;
@@ -39,6 +42,7 @@ pub fn execute(arguments: &JudgeArguments, out: &mut dyn Write) -> anyhow::Resul
     let mut judge = Judge {
         arguments,
         session: &mut *session,
+        basis: Basis::new(arguments.dialect, CaseFolder::locate_any(None)?),
         traces: 0,
         failed: 0,
     };
@@ -64,6 +68,7 @@ pub fn execute(arguments: &JudgeArguments, out: &mut dyn Write) -> anyhow::Resul
 struct Judge<'a, 's> {
     arguments: &'a JudgeArguments,
     session: &'a mut (dyn Session + 's),
+    basis: Basis,
     traces: u64,
     failed: u64,
 }
@@ -97,6 +102,10 @@ impl Judge<'_, '_> {
         let source = Program::read(files)?;
         let traces = trace::read(traces)?;
         let program = self.program(&source, out)?;
+        let basis = match &program {
+            Ok((judged, _)) if self.arguments.engine.is_none() => self.basis.of(&judged.text),
+            _ => Vec::new(),
+        };
         let mut exit = Exit::AsExpected;
         for (number, trace) in (1..).zip(&traces) {
             let mut result = match &program {
@@ -107,6 +116,7 @@ impl Judge<'_, '_> {
                 Err(reason) => TraceResult::without_values("rejected", reason.clone()),
             };
             result.program = source.name();
+            result.uses.clone_from(&basis);
             result.trace = match trace.name.as_str() {
                 "" => format!("trace {number}"),
                 name => name.to_owned(),
@@ -120,6 +130,13 @@ impl Judge<'_, '_> {
                 true => output::json_line(out, &result)?,
                 false => result.write(self.arguments.batch.is_some(), out)?,
             }
+        }
+        for Used { name, stated, open } in basis.iter().filter(|used| used.open > 0 && !self.arguments.json) {
+            writeln!(
+                out,
+                "note: {name}: sources state {stated} of {} results that the suite asks of it; of the others the reference chooses",
+                stated + open
+            )?;
         }
         Ok(exit)
     }

@@ -1,5 +1,6 @@
 //! The result of a trace: whether everything came out as expected, and what did not.
 
+use super::basis::Used;
 use super::variables;
 use crate::output::{BAD, GOOD};
 use serde::Serialize;
@@ -40,6 +41,9 @@ pub(super) struct TraceResult {
     /// The values that are not as expected, in the order of the scans.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     differences: Vec<Difference>,
+    /// The standard functions and function blocks that the program uses, on whose sources or choices a verdict of the reference rests.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub uses: Vec<Used>,
 }
 
 /// A value that is not the expected one.
@@ -61,6 +65,7 @@ impl TraceResult {
             verdict,
             reason: Some(reason),
             differences: Vec::new(),
+            uses: Vec::new(),
         }
     }
 
@@ -111,6 +116,7 @@ impl TraceResult {
             },
             reason,
             differences,
+            uses: Vec::new(),
         }
     }
 

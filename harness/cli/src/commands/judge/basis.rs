@@ -1,0 +1,94 @@
+//! What a verdict rests on: for each standard function and function block that a program uses, whether sources state what it does in the
+//! dialect, or leave some of it to a choice of the reference.
+
+use crate::case_folder::CaseFolder;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use stickler_reference::has_block;
+use stickler_reference::semantics::is_standard_function;
+use stickler_syntax::names::{UseKind, used};
+use stickler_types::Question;
+use stickler_types::{Dialect, DialectName};
+
+/// A standard function or function block, and the cases that ask for it in the dialect.
+#[derive(Clone, Serialize)]
+pub(super) struct Used {
+    /// The name in capitals.
+    pub name: String,
+    /// The number of cases of which a source states what must come.
+    pub stated: usize,
+    /// The number of cases of which no source does, so that the reference has a choice of its own.
+    pub open: usize,
+}
+
+/// The cases of the suite by the functions and function blocks that programs use; each is looked up once.
+pub(super) struct Basis {
+    dialect: DialectName,
+    cases: Option<CaseFolder>,
+    known: BTreeMap<String, Used>,
+}
+
+impl Basis {
+    /// Looks things up in a folder of cases; without one nothing is known.
+    pub(super) fn new(dialect: DialectName, cases: Option<CaseFolder>) -> Basis {
+        Basis {
+            dialect,
+            cases,
+            known: BTreeMap::new(),
+        }
+    }
+
+    /// Returns the standard functions and function blocks that a text uses and does not declare, in the order of their names.
+    pub(super) fn of(&mut self, text: &str) -> Vec<Used> {
+        let dialect = Dialect::of(self.dialect);
+        let (unit, _) = stickler_syntax::parse(text, dialect);
+        let own =
+            |name: &str| unit.pous().any(|pou| pou.name.is(name)) || unit.types().any(|ty| ty.name.is(name));
+        let is_standard = |kind, name: &str| match kind {
+            UseKind::Callee => is_standard_function(dialect.standard_name(name), dialect),
+            UseKind::Type => has_block(name),
+            UseKind::Value | UseKind::Field | UseKind::Parameter => false,
+        };
+        let names = used(&unit).into_iter();
+        let names = names.filter(|one| is_standard(one.kind, one.name.text) && !own(one.name.text));
+        let mut names: Vec<_> = names.map(|one| one.name.text.to_ascii_uppercase()).collect();
+        names.sort_unstable();
+        names.dedup();
+        names.into_iter().map(|name| self.used(name)).collect()
+    }
+
+    fn used(&mut self, name: String) -> Used {
+        if let Some(known) = self.known.get(&name) {
+            return known.clone();
+        }
+        let mut found = Used {
+            name: name.clone(),
+            stated: 0,
+            open: 0,
+        };
+        let suite = self.cases.as_ref().map(|folder| folder.load_mentioning(&name));
+        for case in suite.iter().flat_map(|suite| &suite.cases) {
+            let asks = match case.question.as_deref() {
+                Some(Question::Call(call)) => call.function == name,
+                _ => mentions(&case.source, &name),
+            };
+            if asks && case.dialect == self.dialect {
+                let count = if case.is_open() {
+                    &mut found.open
+                } else {
+                    &mut found.stated
+                };
+                *count += 1;
+            }
+        }
+        self.known.insert(name, found.clone());
+        found
+    }
+}
+
+/// Returns whether a name is a word of a text.
+fn mentions(text: &str, name: &str) -> bool {
+    let is_word = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    text.split(|character| !is_word(character))
+        .any(|word| word.eq_ignore_ascii_case(name))
+}
