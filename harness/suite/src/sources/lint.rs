@@ -1,11 +1,12 @@
 //! Lints the sources as a whole: mistakes that only a reader of all cases would notice.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::{Case, Feature, Suite};
+use stickler_types::{Question, Value};
 
 impl Sources {
     /// Returns a warning for each source and each rule that no case and no statement of a suite names, for each contradiction of what neither a
@@ -61,6 +62,46 @@ impl Sources {
             {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());
                 warnings.push(mistake.hint("take it out").in_file(&self.file));
+            }
+        }
+        warnings
+    }
+
+    /// Returns a warning for each case that gives a call another value than one before it in the same dialect, by sources of one publisher of which
+    /// none says that it [contradicts](Source::contradicts) the other.
+    pub(crate) fn contradicted_in_silence(&self, cases: &[Case]) -> Vec<CaseFileError> {
+        let mut firsts: HashMap<_, (&Case, &Value)> = HashMap::new();
+        let mut warnings = Vec::new();
+        for case in cases {
+            // Of other questions the text does not say which value is given.
+            if let Some(question @ Question::Call(_)) = case.question.as_deref()
+                && let ([expected], None) = (&case.expectation.values[..], &case.placement)
+            {
+                let key = (case.dialect, question.to_string());
+                let (first, other) = *firsts.entry(key).or_insert((case, &expected.value));
+                let of = [first, case].map(|case| self.of(&case.basis).map(|(source, _)| source));
+                let says_so = |source: &Source, of: &Case| {
+                    let mut claims = source.contradicts.iter();
+                    claims.any(|claims| claims.is_of(&of.basis, (&of.id, &of.source)))
+                };
+                if let [Some(one), Some(two)] = of
+                    && *other != expected.value
+                    && one.publisher == two.publisher
+                    && !says_so(one, case)
+                    && !says_so(two, first)
+                {
+                    let message = format!(
+                        "`{question}` is {} by {}, and {other} by {} ({}:{}), both of {}; take one out, or say so in `[[{}.contradicts]]`",
+                        expected.value,
+                        case.basis,
+                        first.basis,
+                        first.file,
+                        first.line,
+                        one.publisher,
+                        two.key
+                    );
+                    warnings.push(Mistake::new(case.line, message).key("basis").in_file(&case.file));
+                }
             }
         }
         warnings
