@@ -43,11 +43,7 @@ impl Suite {
         let errors = self.errors.iter().map(finding(LintSeverity::Error));
         // Where something else is wrong, that may be the reason.
         let unused = match self.errors.is_empty() && self.remarks.is_empty() {
-            true => [
-                self.sources.unused(self),
-                self.sources.contradicted_in_silence(&self.cases),
-            ]
-            .concat(),
+            true => self.sources.unused(self),
             false => Vec::new(),
         };
         let still_there = self.withdrawn_and_there();

@@ -10,7 +10,8 @@ use stickler_types::{Question, Value};
 
 impl Sources {
     /// Returns a warning for each source and each rule that no case and no statement of a suite names, for each contradiction of what neither a
-    /// case claims nor a source promises of a feature, and for each printed example [without a case](Self::without_case).
+    /// case claims nor a source promises of a feature, for each that is [not declared](Self::contradicted_in_silence), and for each printed example
+    /// [without a case](Self::without_case).
     pub(crate) fn unused(&self, suite: &Suite) -> Vec<CaseFileError> {
         let (cases, features) = (&suite.cases, &suite.features);
         let mut cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
@@ -21,6 +22,7 @@ impl Sources {
                 .any(|basis| self.of(basis).is_some_and(|(found, _)| found.key == source.key))
         };
         let mut warnings = self.without_case(cases, &cited);
+        warnings.extend(self.contradicted_in_silence(cases));
         for source in &self.sources {
             for contradiction in &source.contradicts {
                 let is_claimed = |case: &Case| contradiction.is_of(&case.basis, (&case.id, &case.source));
@@ -69,7 +71,7 @@ impl Sources {
 
     /// Returns a warning for each case that gives a call another value than one before it in the same dialect, by sources of one publisher of which
     /// none says that it [contradicts](Source::contradicts) the other.
-    pub(crate) fn contradicted_in_silence(&self, cases: &[Case]) -> Vec<CaseFileError> {
+    fn contradicted_in_silence(&self, cases: &[Case]) -> Vec<CaseFileError> {
         let mut firsts: HashMap<_, (&Case, &Value)> = HashMap::new();
         let mut warnings = Vec::new();
         for case in cases {
@@ -90,16 +92,11 @@ impl Sources {
                     && !says_so(one, case)
                     && !says_so(two, first)
                 {
-                    let message = format!(
-                        "`{question}` is {} by {}, and {other} by {} ({}:{}), both of {}; take one out, or say so in `[[{}.contradicts]]`",
-                        expected.value,
-                        case.basis,
-                        first.basis,
-                        first.file,
-                        first.line,
-                        one.publisher,
-                        two.key
-                    );
+                    let (value, basis, maker) = (&expected.value, &case.basis, &one.publisher);
+                    let other = format!("{other} by {} ({}:{})", first.basis, first.file, first.line);
+                    let advice = format!("take one out, or say so in `[[{}.contradicts]]`", two.key);
+                    let message =
+                        format!("`{question}` is {value} by {basis}, and {other}, both of {maker}; {advice}");
                     warnings.push(Mistake::new(case.line, message).key("basis").in_file(&case.file));
                 }
             }
