@@ -248,6 +248,8 @@ pub struct LoopTypes {
     pub limit: ElementaryType,
     /// The step's.
     pub step: ElementaryType,
+    /// Whether the sum is compared with the limit as the control variable holds it, wrapped, so that the greatest limit of its type is never passed.
+    pub wraps: bool,
 }
 
 /// Arithmetic on two values of one type.
@@ -334,6 +336,9 @@ pub enum StandardFunction {
     Concat,
     /// LEFT and its kin: pops one or two texts and the numbers of the function, and does what the dialect does where these lie outside the text.
     Part(TextPart, TextPositions),
+    /// What becomes of a result that its variable does not hold whole: pops the greatest length and one or two texts; pushes the first one where it is
+    /// no longer, otherwise the second one, or an empty text.
+    Fitting,
     /// FIND: pops two texts; pushes the position of the second in the first as INT, 0 where it is not there or empty.
     Find,
     /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not

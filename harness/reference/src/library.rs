@@ -55,13 +55,14 @@ pub(crate) fn with_blocks(
     dialect: &Dialect,
 ) -> Option<String> {
     use Code::{
-        ArrayElementTypeNotDeclared, FunctionCallUndeclared, StructFieldTypeNotDeclared,
+        ArrayElementTypeNotDeclared, FunctionCallUndeclared, NotImplemented, StructFieldTypeNotDeclared,
         UndeclaredUnknownType,
     };
     let undeclared = diagnostics.iter().filter(|one| {
         matches!(
             one.code,
-            UndeclaredUnknownType
+            NotImplemented
+                | UndeclaredUnknownType
                 | ArrayElementTypeNotDeclared
                 | StructFieldTypeNotDeclared
                 | FunctionCallUndeclared

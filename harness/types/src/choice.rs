@@ -61,6 +61,20 @@ impl Choice for bool {
     }
 }
 
+impl Choice for u32 {
+    fn state(&mut self, _: &str, value: &DeValue<'_>) -> Result<(), String> {
+        let number = value.as_integer().and_then(|number| number.as_str().parse().ok());
+        *self = number
+            .filter(|number| (1..=65535).contains(number))
+            .ok_or("must be a number from 1 to 65535")?;
+        Ok(())
+    }
+
+    fn written(&self, _: &str) -> Cow<'static, str> {
+        self.to_string().into()
+    }
+}
+
 /// Makes choices of enumerations of words; a list of variants limits those that a file may state.
 macro_rules! choices_of_words {
     ($($name:ty $(: $all:expr)?,)*) => {

@@ -37,6 +37,9 @@ pub struct Stated {
 /// A pair of types: that of a value, and that of its target.
 pub type Pair = (ElementaryType, ElementaryType);
 
+/// The greatest length of a STRING that is declared without one, where a dialect says no other; the standard leaves it open.
+pub const DEFAULT_TEXT_LENGTH: u32 = 254;
+
 choices! {
     /// A dialect: the content of its file over that of the files that it extends. Each choice names a point in which the sources
     /// differ (conformance-cases/sources.toml and rules.md name the basis of each).
@@ -165,6 +168,11 @@ choices! {
         ///
         /// Basis: codesys-pages: _cds_rules.
         library_namespaces: bool = false, ["flags.library-namespaces"];
+        /// FOR compares its limit with what the control variable holds, so that a loop to the greatest value of its type does not end.
+        ///
+        /// Basis: codesys-pages: _cds_st_instruction_for; codesys-recording: recordings/codesys.run.json (`for_at_type_max`, `lt_literal_for_bounds_…`);
+        /// iec-61131-3: 7.3.3.4.2, by which it ends.
+        loops_wrap: bool = false, ["flags.loops-wrap"];
         /// A function may have instances of function blocks, which begin anew with each call.
         ///
         /// Basis: codesys-analysis: SA0167; ironplc-problem-codes: P4054, by which it may not.
@@ -222,6 +230,14 @@ choices! {
         ///
         /// Basis: ironplc-standard-functions: mul_time, div_time.
         scaled_to_milliseconds: bool = false, ["flags.scaled-to-milliseconds"];
+        /// LEN, CONCAT and the other functions of texts take a WSTRING, too.
+        ///
+        /// Basis: iec-61131-3: Table 34; twincat-builds: recordings/twincat.build.json (`cc_standard_len_wstring`), by which they do not.
+        wide_text_functions: bool = true, ["flags.wide-text-functions"];
+        /// The greatest length of a STRING or WSTRING that is declared without one.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`string_default_length`); plcnext-text: MID_WSTRING.
+        text_length: u32 = DEFAULT_TEXT_LENGTH, ["language.text-length"];
         /// What functions of texts do with a length or a position outside the text.
         text_positions: TextPositions = TextPositions::Clipped, ["language.text-positions"];
         /// The pairs of elementary types that convert implicitly.

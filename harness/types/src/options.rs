@@ -97,8 +97,13 @@ words! {
         Kept = "kept",
         /// A negative length and a position below 1, or of INSERT below 0, give an empty text. The rest is as clipped.
         ///
-        /// Basis: plcnext-text: REPLACE; siemens-manual-2014: 312.
+        /// Basis: siemens-manual-2014: 308 and 312.
         Empty = "empty",
+        /// As `empty`, and so does each length or position of which not all characters lie in the text. A result that is longer than the variable to which
+        /// it is assigned gives an empty text as well, but that of CONCAT leaves the variable as it is; REPLACE by the variable of the result gives one, too.
+        ///
+        /// Basis: plcnext-text: CONCAT, DELETE, MID_WSTRING, REPLACE, RIGHT; plcnext-selection: LIMIT.
+        Whole = "whole",
     }
 }
 

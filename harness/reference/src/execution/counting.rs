@@ -1,7 +1,7 @@
 //! The control variable of a FOR loop.
 //!
 //! Basis: iec-61131-3: FOR statement. The test is made on the numbers themselves, so that a loop to the greatest value
-//! of its type ends instead of wrapping around.
+//! of its type ends instead of wrapping around, but where the dialect says that it does not.
 
 use crate::instruction::LoopTypes;
 
@@ -42,7 +42,12 @@ impl LoopCounter {
     /// The next control value, wrapped to its type, and whether the loop goes on with it.
     pub fn next(self) -> (u64, bool) {
         let sum = self.control + self.step;
+        let raw = self.types.control.wrap(sum);
         let fits = self.types.control.holds(sum);
-        (self.types.control.wrap(sum), fits && self.goes_on_with(sum))
+        let goes_on = match self.types.wraps {
+            true => self.goes_on_with(self.types.control.integer_value(raw)),
+            false => fits && self.goes_on_with(sum),
+        };
+        (raw, goes_on)
     }
 }

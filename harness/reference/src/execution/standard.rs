@@ -221,7 +221,11 @@ fn of_ranges(function: StandardFunction, numbers: &[u64], texts: &[Text<'_>]) ->
     let numbers: Vec<i64> = numbers.iter().map(|number| number.cast_signed()).collect();
     match (positions, part, &numbers[..]) {
         (TextPositions::Kept, TextPart::Mid, &[_, ..1])
-        | (TextPositions::Empty, _, &[..0, ..] | &[_, ..1]) => {
+        | (TextPositions::Empty | TextPositions::Whole, _, &[..0, ..] | &[_, ..1]) => {
+            return Some(Vec::new());
+        }
+        (TextPositions::Whole, _, &[count]) if count > text.len() as i64 => return Some(Vec::new()),
+        (TextPositions::Whole, _, &[length, at]) if length.saturating_add(at) > text.len() as i64 + 1 => {
             return Some(Vec::new());
         }
         (TextPositions::Kept, TextPart::Insert, &[at]) if at < 0 || at > text.len() as i64 => {
@@ -275,6 +279,13 @@ pub(super) fn of_texts<'p>(
     }
     if function == StandardFunction::Concat {
         return Ok(Cow::Owned(texts.concat()));
+    }
+    if let (StandardFunction::Fitting, &[length]) = (function, numbers) {
+        let fits = texts.first().is_some_and(|text| text.len() as u64 <= length);
+        return Ok(texts
+            .get_mut(usize::from(!fits))
+            .map(std::mem::take)
+            .unwrap_or_default());
     }
     let lies_further = |further, second: &Text<'p>, first: &Text<'p>| second.cmp(first) == further;
     let chosen = chosen(function, numbers, texts, lies_further)?;

@@ -47,6 +47,7 @@ fn loop_types(of: ElementaryType, limit: ElementaryType) -> LoopTypes {
         control: of,
         limit,
         step: of,
+        wraps: false,
     }
 }
 

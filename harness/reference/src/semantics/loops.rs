@@ -42,13 +42,21 @@ impl<'m> Lowering<'m> {
         let span = self.span(control);
         self.begin_store(place);
         self.first_value(from, place, ty);
-        let limit = self.keep(to, ty);
+        let wraps = self.model.source.dialect.loops_wrap;
+        // A limit beyond the type of the control variable is never met.
+        let wanted = if wraps && ty != ElementaryType::Ulint {
+            ElementaryType::Lint
+        } else {
+            ty
+        };
+        let limit = self.keep(to, wanted);
         let step = self.keep_step(by, span);
         self.finish_store(place, span);
         let types = LoopTypes {
             control: ty,
             limit: limit.ty,
             step: step.ty,
+            wraps,
         };
 
         self.load_three(place, limit, step);

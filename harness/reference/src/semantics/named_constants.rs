@@ -6,7 +6,7 @@ use super::emitter::MAX_SHORT_TEXT;
 use super::lowering::Lowering;
 use super::memory::MemoryLayout;
 use super::model::TopLevelName;
-use super::types::{DEFAULT_CAPACITY, TypeId, TypeKind};
+use super::types::{TypeId, TypeKind};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
     CaseFolded, ExpressionId, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
@@ -113,7 +113,7 @@ impl<'u> Declarer<'u, '_> {
                 (Some(DeclaredNode::Type(declared)), _) => kind = &declared.specification.kind,
                 (Some(DeclaredNode::Block(_)), _) => return ConstantType::Other,
                 (None, Some(ty)) if self.model.source.dialect.has(ty) => {
-                    return ConstantType::Elementary(ty, DEFAULT_CAPACITY);
+                    return ConstantType::Elementary(ty, self.model.source.dialect.text_length);
                 }
                 (None, _) => return ConstantType::Unknown,
             }

@@ -77,7 +77,10 @@ impl<'u> Declarer<'u, '_> {
         if let Some(ty) = elementary
             && !ty.is_third_edition()
         {
-            return TypeId::of(ty);
+            return match ty.is_text() {
+                true => self.model.types.text(ty, self.model.source.dialect.text_length),
+                false => TypeId::of(ty),
+            };
         }
         match self.model.definitions.get(&CaseFolded(name.text)) {
             Some(&TopLevelName::Type(node)) => return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR),

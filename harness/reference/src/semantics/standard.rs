@@ -2,19 +2,21 @@
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
+use super::calls::Callee;
 use super::common::{TypeRules, settle};
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
+use super::locations::VariablePlace;
 use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
 use super::promotion::PromotedOperands;
 use super::standard_signatures::{StandardInput, StandardOperation, StandardSignature};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::instruction::{ArithmeticOperator, Instruction, LogicOperator, StandardFunction};
+use crate::instruction::{ArithmeticOperator, Instruction, LogicOperator, StandardFunction, TextPart};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId};
-use stickler_types::dialect::ShiftCounts;
+use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_types::dialect::{ShiftCounts, TextPositions};
 use stickler_types::{Code, ElementaryType, GenericType};
 
 /// A function of the machine with the generic type of its values.
@@ -113,6 +115,9 @@ impl<'m> Lowering<'m> {
         };
         let shifts_integer = function.moves_bits() && elementary.is_integer();
         let swaps_number = function == StandardFunction::SwapBytes && GenericType::Num.contains(elementary);
+        if of == GenericType::String && elementary == ElementaryType::Wstring {
+            return self.model.source.dialect.wide_text_functions;
+        }
         of.contains(elementary)
             || swaps_number
             || shifts_integer && self.model.source.dialect.functions_promote
@@ -257,6 +262,44 @@ impl<'m> Lowering<'m> {
             numbers,
         };
         self.emit_at(self.span(call), instruction);
+    }
+
+    /// Replaces the text on the stack, the result of a standard function that is assigned, where the variable does not hold it whole, if the dialect
+    /// does so; returns the place at which to store it.
+    pub(super) fn fit_result(
+        &mut self,
+        value: &ExpressionKind<'m>,
+        target: ExpressionId,
+        mut place: VariablePlace,
+    ) -> VariablePlace {
+        if self.model.source.dialect.text_positions == TextPositions::Whole
+            && let ExpressionKind::Call { callee, arguments } = value
+            && let TypeKind::Text { ty, capacity } = *self.model.types.kind(place.content())
+            && let Callee::Standard(signature) = self.callee(*callee)
+            && let StandardOperation::Function(function, _) = signature.operation
+        {
+            let span = self.span(target);
+            let values = signature.parameters.ordered(arguments, span).unwrap_or_default();
+            let text = |id: ExpressionId| self.span(id).text(self.model.source.text);
+            let takes_itself = matches!(function, StandardFunction::Part(TextPart::Replace, _))
+                && values
+                    .get(1)
+                    .is_some_and(|&by| text(by).eq_ignore_ascii_case(text(target)));
+            let is_kept = function == StandardFunction::Concat;
+            if is_kept {
+                place.location = self.pinned(place, span);
+                self.load(place);
+            }
+            let longest = if takes_itself { 0 } else { capacity.into() };
+            self.emit(Instruction::Push(longest));
+            self.emit_standard(
+                target,
+                StandardFunction::Fitting,
+                ty,
+                (1 + usize::from(is_kept), 1),
+            );
+        }
+        place
     }
 
     /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.

@@ -80,6 +80,7 @@ impl<'m> Lowering<'m> {
         self.fallible = (is_loose && context == ValueContext::CallResult).then_some(bare.span);
         self.begin_store(place);
         self.coerce(value, place.content(), context);
+        let place = self.fit_result(&bare.kind, target, place);
         self.finish_store(place, self.span(target));
         self.keep_after_failure(place);
         self.record_written(target, place);

@@ -222,8 +222,8 @@ impl Extent {
 /// several ways count as often.
 pub(super) const MAX_ANCESTORS: u32 = 200;
 
-/// The default maximum length of STRING and WSTRING; the standard leaves it to the implementer.
-pub(super) const DEFAULT_CAPACITY: u32 = 254;
+/// The maximum length of the types STRING and WSTRING; a variable of them may have that of its dialect.
+const DEFAULT_CAPACITY: u32 = stickler_types::dialect::DEFAULT_TEXT_LENGTH;
 
 /// Every type of a source text; by default the elementary ones.
 #[derive(Default, Debug)]

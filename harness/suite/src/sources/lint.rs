@@ -1,15 +1,17 @@
 //! Lints the sources as a whole: mistakes that only a reader of all cases would notice.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::{Case, Feature, Suite};
+use stickler_types::{Question, Value};
 
 impl Sources {
     /// Returns a warning for each source and each rule that no case and no statement of a suite names, for each contradiction of what neither a
-    /// case claims nor a source promises of a feature, and for each printed example [without a case](Self::without_case).
+    /// case claims nor a source promises of a feature, for each that is [not declared](Self::contradicted_in_silence), and for each printed example
+    /// [without a case](Self::without_case).
     pub(crate) fn unused(&self, suite: &Suite) -> Vec<CaseFileError> {
         let (cases, features) = (&suite.cases, &suite.features);
         let mut cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
@@ -20,6 +22,7 @@ impl Sources {
                 .any(|basis| self.of(basis).is_some_and(|(found, _)| found.key == source.key))
         };
         let mut warnings = self.without_case(cases, &cited);
+        warnings.extend(self.contradicted_in_silence(cases));
         for source in &self.sources {
             for contradiction in &source.contradicts {
                 let is_claimed = |case: &Case| contradiction.is_of(&case.basis, (&case.id, &case.source));
@@ -61,6 +64,41 @@ impl Sources {
             {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());
                 warnings.push(mistake.hint("take it out").in_file(&self.file));
+            }
+        }
+        warnings
+    }
+
+    /// Returns a warning for each case that gives a call another value than one before it in the same dialect, by sources of one publisher of which
+    /// none says that it [contradicts](Source::contradicts) the other.
+    fn contradicted_in_silence(&self, cases: &[Case]) -> Vec<CaseFileError> {
+        let mut firsts: HashMap<_, (&Case, &Value)> = HashMap::new();
+        let mut warnings = Vec::new();
+        for case in cases {
+            // Of other questions the text does not say which value is given.
+            if let Some(question @ Question::Call(_)) = case.question.as_deref()
+                && let ([expected], None) = (&case.expectation.values[..], &case.placement)
+            {
+                let key = (case.dialect, question.to_string());
+                let (first, other) = *firsts.entry(key).or_insert((case, &expected.value));
+                let of = [first, case].map(|case| self.of(&case.basis).map(|(source, _)| source));
+                let says_so = |source: &Source, of: &Case| {
+                    let mut claims = source.contradicts.iter();
+                    claims.any(|claims| claims.is_of(&of.basis, (&of.id, &of.source)))
+                };
+                if let [Some(one), Some(two)] = of
+                    && *other != expected.value
+                    && one.publisher == two.publisher
+                    && !says_so(one, case)
+                    && !says_so(two, first)
+                {
+                    let (value, basis, maker) = (&expected.value, &case.basis, &one.publisher);
+                    let other = format!("{other} by {} ({}:{})", first.basis, first.file, first.line);
+                    let advice = format!("take one out, or say so in `[[{}.contradicts]]`", two.key);
+                    let message =
+                        format!("`{question}` is {value} by {basis}, and {other}, both of {maker}; {advice}");
+                    warnings.push(Mistake::new(case.line, message).key("basis").in_file(&case.file));
+                }
             }
         }
         warnings
