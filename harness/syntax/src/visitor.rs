@@ -200,6 +200,7 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
                 configured.for_each(|section| walk.section(section));
                 walk.at.outer = None;
             }
+            Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => {}
         }
     }
 }

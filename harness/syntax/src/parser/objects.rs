@@ -106,7 +106,7 @@ impl<'s> Parser<'s, '_> {
             if self.kind() != TokenKind::Dot {
                 names.push(name);
             } else if let TypeSpecificationKind::Named(name) = self.qualified_type(name.span) {
-                names.push(name.unqualified());
+                names.push(name);
             }
             if !self.eat(TokenKind::Comma) {
                 break;
@@ -227,6 +227,7 @@ impl<'s> Parser<'s, '_> {
             kind,
             modifiers,
             name,
+            using: Vec::new(),
             extends: Vec::new(),
             implements: Vec::new(),
             result,

@@ -38,39 +38,6 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// NAMESPACE or USING begins a declaration here.
-    pub(super) fn at_foreign_declaration(&self) -> bool {
-        self.kind() == TokenKind::Name
-            && (self.nth(1) == TokenKind::Name && self.at_any_word(&["NAMESPACE", "USING"])
-                || self.at_word("END_NAMESPACE"))
-    }
-
-    /// Moves over such a declaration. The contents of a namespace are read as if it were not there.
-    pub(super) fn foreign_declaration(&mut self) {
-        let start = self.token().span;
-        if self.at_word("END_NAMESPACE") {
-            self.bump();
-            self.eat(TokenKind::Semicolon);
-            return;
-        }
-        let using = self.at_word("USING");
-        self.bump();
-        self.bump();
-        self.skip_qualified_name();
-        if using {
-            self.eat(TokenKind::Semicolon);
-        }
-        self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
-    }
-
-    /// Moves over `.name.name` behind the name of a namespace.
-    pub(super) fn skip_qualified_name(&mut self) {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
-    }
-
     /// VAR_ACCESS, up to its END_VAR.
     pub(super) fn unsupported_section(&mut self) {
         let token = self.bump();
