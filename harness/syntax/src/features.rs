@@ -427,6 +427,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             StatementKind::Exit => self.note("exit", span),
             StatementKind::Continue => self.note("continue", span),
             StatementKind::Return => self.note("return", span),
+            StatementKind::Jump(_) | StatementKind::Label(_) => self.note("jump", span),
             StatementKind::Empty => self.note("empty-statement", span),
         }
     }

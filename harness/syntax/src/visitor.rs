@@ -228,6 +228,8 @@ pub fn bodies(statement: &Statement) -> Vec<&[Statement]> {
         | StatementKind::Exit
         | StatementKind::Continue
         | StatementKind::Return
+        | StatementKind::Jump(_)
+        | StatementKind::Label(_)
         | StatementKind::Empty => Vec::new(),
     }
 }
@@ -431,6 +433,8 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 self.expression(*until, Place::Condition);
             }
             StatementKind::Exit | StatementKind::Continue | StatementKind::Return | StatementKind::Empty => {}
+            // Labels are no variables.
+            StatementKind::Jump(_) | StatementKind::Label(_) => {}
         }
         self.at.outer = outer;
     }

@@ -25,6 +25,7 @@ impl<'s> Parser<'s, '_> {
             | "short-circuit"
             | "var-stat"
             | "union"
+            | "jump"
             | "assignment-expression" => (Code::SyntaxError, extension),
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
