@@ -266,6 +266,7 @@ pub(crate) fn place_of<'t, 's>(program: &ReadProgram<'t, 's>, number: u32) -> Li
             Declaration::Pou(pou) => &pou.blocks[..],
             Declaration::Globals(section) => std::slice::from_ref(section),
             Declaration::Configuration(configuration) => &configuration.globals[..],
+            Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => &[],
         };
         let mut sections = sections.iter();
         if let Some(section) = sections.find(|section| covers(section.span.start, section.span.end)) {

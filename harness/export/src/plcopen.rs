@@ -113,6 +113,7 @@ impl Project {
                 }
                 // No case with one of these is on a page.
                 Declaration::Globals(_) | Declaration::Configuration(_) => {}
+                Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => {}
             }
         }
         Ok(())

@@ -68,7 +68,9 @@ pub(crate) fn with_blocks(
                 | FunctionCallUndeclared
         )
     });
-    let named = undeclared.map(|one| one.span.text(source).to_ascii_uppercase());
+    // The name of a library may stand before that of its block.
+    let named = undeclared.filter_map(|one| one.span.text(source).rsplit('.').next());
+    let named = named.map(str::to_ascii_uppercase);
     let named: BTreeSet<String> = named.collect();
     let blocks: Vec<String> = named.iter().filter_map(|name| block(name, dialect)).collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {

@@ -11,8 +11,8 @@ use crate::names::{DeclaredKind, declared};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    CaseFolded, CaseLabel, ExpressionKind, Initializer, InitializerKind, Name, PointerForm, Pou, PouKind,
-    SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
+    CaseFolded, CaseLabel, Declaration, ExpressionKind, Initializer, InitializerKind, Name, PointerForm, Pou,
+    PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
     VariableBlock, VariableGroup, VariableKind,
 };
 use crate::visitor::{Context, Part, Place, Visitor, walk};
@@ -49,6 +49,7 @@ pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
     let (unit, _) = crate::parse(text, &dialect);
     let mut finder = FeatureFinder::new(text, &unit, &dialect);
     walk(&unit, &mut finder);
+    finder.namespaces(&unit);
     finder.configurations(&unit);
     finder.tokens(&dialect);
     let mut found = finder.found;
@@ -160,6 +161,14 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         self.inputs.get(&CaseFolded(pou)).copied().unwrap_or_default()
     }
 
+    fn namespaces(&mut self, unit: &SourceUnit<'_>) {
+        for declaration in &unit.declarations {
+            if let Declaration::Namespace(name) | Declaration::Using(name) = declaration {
+                self.note("namespace", name.span);
+            }
+        }
+    }
+
     fn configurations(&mut self, unit: &SourceUnit<'_>) {
         for configuration in unit.configurations() {
             self.note("configuration", configuration.span);
@@ -244,6 +253,7 @@ fn is_number_with_underscore(written: &str) -> bool {
 impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
     fn pou(&mut self, pou: &'t Pou<'s>, _: &Context<'t, 's>) {
         let span = pou.name.span;
+        self.note_if(!pou.using.is_empty(), "namespace", span);
         match pou.kind {
             PouKind::Program => {}
             PouKind::Function if pou.result.is_none() => self.note("function-without-result", span),
@@ -417,6 +427,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             StatementKind::Exit => self.note("exit", span),
             StatementKind::Continue => self.note("continue", span),
             StatementKind::Return => self.note("return", span),
+            StatementKind::Jump(_) | StatementKind::Label(_) => self.note("jump", span),
             StatementKind::Empty => self.note("empty-statement", span),
         }
     }

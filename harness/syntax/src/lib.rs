@@ -28,6 +28,7 @@ pub mod features;
 mod keyword;
 mod lexer;
 pub mod names;
+mod namespaces;
 mod parser;
 mod parts;
 mod qualifiers;
@@ -42,6 +43,7 @@ pub mod visitor;
 
 pub use edits::Edits;
 pub use ending::last_token;
+pub use namespaces::{Meaning, NamespaceId, Namespaces};
 pub use parser::{MAX_NESTING, parse};
 pub use parts::{DeclaredSection, Indivisible, ProgramParts};
 pub use qualifiers::resolve_qualifiers;

@@ -95,6 +95,7 @@ pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option
             pou.is_object() || blocks.any(|block| block.kind == VariableKind::External)
         }
         Declaration::Types(_) => false,
+        Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => true,
         Declaration::Globals(_) | Declaration::Configuration(_) => true,
     };
     let shares = tokens.list.iter().any(is_located) || unit.declarations.iter().any(is_shared);
@@ -171,7 +172,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             self.declare(pou.name, DeclaredKind::Pou(pou.kind), None, None);
         }
         for base in pou.extends.iter().chain(&pou.implements) {
-            self.note(*base, UseKind::Type, None);
+            self.note(base.unqualified(), UseKind::Type, None);
         }
     }
 

@@ -7,6 +7,7 @@ mod cursor;
 mod declarations;
 mod expressions;
 mod initializers;
+mod namespaces;
 mod objects;
 mod open;
 mod partial_access;

@@ -1,16 +1,17 @@
-//! Names behind those of libraries, of lists of global variables and of enumerations: `OSCAT_BASIC.DAY_OF_WEEK`, `COLOR.RED`.
+//! Names behind those of namespaces, of libraries, of lists of global variables and of enumerations: `OSCAT_BASIC.DAY_OF_WEEK`, `COLOR.RED`.
 //!
-//! Basis: codesys-pages: _cds_rules, _cds_operator_namespace_enum.
+//! Basis: iec-61131-3: third edition, 6.9; codesys-pages: _cds_rules, _cds_operator_namespace_enum.
 
 use crate::names::{DeclaredKind, DeclaredName, declared};
+use crate::namespaces::Namespaces;
 use crate::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, SourceUnit};
 use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind, own_instance};
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Dialect;
 
-/// Takes qualified names in the expressions of a text for what they name, where the dialect has such names: those of enumerations become
-/// enumerated values, and a name that the text declares nowhere is that of a library or of a list of global variables. It qualifies what the
-/// text declares for all of it, and what `is_standard`; any other is left as it is.
+/// Takes qualified names in the expressions of a text for what they name: a namespace and what stands in it become one name; where the
+/// dialect has such names, those of enumerations become enumerated values, and a name that the text declares nowhere is that of a library
+/// or of a list of global variables. It qualifies what the text declares for all of it, and what `is_standard`; any other is left as it is.
 pub fn resolve_qualifiers<'s>(
     unit: &mut SourceUnit<'s>,
     text: &'s str,
@@ -20,20 +21,30 @@ pub fn resolve_qualifiers<'s>(
     let is_field = |id: &u32| matches!(unit.expressions[*id as usize].kind, ExpressionKind::Field { .. });
     // A text has fewer expressions than 32 bits count.
     let fields: Vec<u32> = (0..unit.expressions.len() as u32).filter(is_field).collect();
-    if fields.is_empty() || !dialect.library_namespaces && !dialect.values_behind_points {
+    let has_points = dialect.library_namespaces || dialect.values_behind_points;
+    if fields.is_empty() || !has_points && !unit.has_namespaces() {
         return;
     }
     let known = Known::new(unit);
+    let namespaces = Namespaces::new(unit, dialect.library_namespaces);
     // What stands inside of an expression comes before it, so that the name of a library is gone where that of its enumeration comes.
     for id in fields {
         let Some((qualifier, name)) = qualified(unit, id) else {
             continue;
         };
+        let span = qualifier.span.to(name.span);
+        let is_joined = qualifier.span.end + 1 == name.span.start;
         let kind = if known.is_variable(qualifier) || own_instance(qualifier.text).is_some() {
             None
-        } else if known.enumerations.contains(&CaseFolded(qualifier.text)) {
-            let span = qualifier.span.to(name.span);
-            let is_joined = qualifier.span.end + 1 == name.span.start;
+        } else if namespaces.named(qualifier).is_some() {
+            let is_elsewhere = known.is_global_variable(name);
+            let text = span.text(text);
+            let qualified = is_joined.then_some(ExpressionKind::Name(Name { text, span }));
+            is_elsewhere.then_some(ExpressionKind::Name(name)).or(qualified)
+        } else if known
+            .enumerations
+            .contains(&CaseFolded(qualifier.unqualified().text))
+        {
             let value = Prefixed::new(span.text(text), span.start);
             (is_joined && dialect.values_behind_points).then_some(ExpressionKind::EnumeratedValue(value))
         } else {
@@ -110,6 +121,12 @@ impl<'s> Known<'s> {
             let is_here = |(start, end)| (start..end).contains(&name.span.start);
             matches!(declared.kind, DeclaredKind::Variable(_)) && declared.within.is_none_or(is_here)
         })
+    }
+
+    /// Returns whether a name is that of a global variable, which the whole text knows wherever it is declared.
+    fn is_global_variable(&self, name: Name<'s>) -> bool {
+        let global = DeclaredKind::Variable(VariableKind::Global);
+        self.all(name).any(|declared| declared.kind == global)
     }
 
     /// Returns whether the whole text knows a name.

@@ -200,6 +200,7 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
                 configured.for_each(|section| walk.section(section));
                 walk.at.outer = None;
             }
+            Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => {}
         }
     }
 }
@@ -227,6 +228,8 @@ pub fn bodies(statement: &Statement) -> Vec<&[Statement]> {
         | StatementKind::Exit
         | StatementKind::Continue
         | StatementKind::Return
+        | StatementKind::Jump(_)
+        | StatementKind::Label(_)
         | StatementKind::Empty => Vec::new(),
     }
 }
@@ -430,6 +433,8 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 self.expression(*until, Place::Condition);
             }
             StatementKind::Exit | StatementKind::Continue | StatementKind::Return | StatementKind::Empty => {}
+            // Labels are no variables.
+            StatementKind::Jump(_) | StatementKind::Label(_) => {}
         }
         self.at.outer = outer;
     }

@@ -28,7 +28,7 @@ impl<'t> Reader<'t> {
                     programs += usize::from(pou.kind == PouKind::Program);
                     self.pou(pou)?;
                 }
-                Declaration::Globals(_) | Declaration::Configuration(_) => return None,
+                _ => return None,
             }
         }
         (programs == 1).then_some(())

@@ -71,6 +71,7 @@ impl Reader<'_> {
             }
             tree::StatementKind::Exit => Statement::Exit,
             tree::StatementKind::Return => Statement::Return,
+            tree::StatementKind::Jump(_) | tree::StatementKind::Label(_) => return None,
             tree::StatementKind::Binding { .. }
             | tree::StatementKind::Continue
             | tree::StatementKind::Empty => return None,

@@ -25,7 +25,10 @@ pub fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
             Declaration::Pou(pou) => Some(pou.span),
             Declaration::Globals(section) => Some(section.span),
             Declaration::Configuration(configuration) => Some(configuration.span),
-            Declaration::Types(_) => None,
+            Declaration::Types(_)
+            | Declaration::Namespace(_)
+            | Declaration::EndNamespace(_)
+            | Declaration::Using(_) => None,
         });
     view.only_allowed(spans.map(Edits::removing).collect())
 }

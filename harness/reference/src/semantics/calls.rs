@@ -3,15 +3,16 @@
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::methods::Receiver;
-use super::model::TopLevelName;
+use super::model::{SEVERAL_NAMESPACES, TopLevelName};
 use super::pointers::{AddressFunction, NOT_IN_DIALECT};
 use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::Instruction;
 use crate::library::is_not_implemented;
+use stickler_syntax::Meaning;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
-use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
+use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, Dialect, ElementaryType};
 
 /// The callee of a call.
@@ -106,8 +107,8 @@ impl<'m> Lowering<'m> {
     }
 
     fn named_callee(&self, name: Name<'_>) -> Callee {
-        match self.model.definitions.get(&CaseFolded(name.text)) {
-            Some(&TopLevelName::Pou(pou)) => {
+        match self.model.meaning(name) {
+            Meaning::One(TopLevelName::Pou(pou)) => {
                 return match self.model.pous[pou as usize].pou.kind {
                     PouKind::Function => Callee::Function(pou),
                     PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => Callee::Nothing(
@@ -117,10 +118,11 @@ impl<'m> Lowering<'m> {
                     _ => Callee::Nothing(Code::FunctionCallUndeclared, "is a program, no function"),
                 };
             }
-            Some(TopLevelName::Type(_)) => {
+            Meaning::One(TopLevelName::Type(_)) => {
                 return Callee::Nothing(Code::FunctionCallUndeclared, "is a type, no function");
             }
-            None => {}
+            Meaning::Several => return Callee::Nothing(Code::FunctionCallUndeclared, SEVERAL_NAMESPACES),
+            Meaning::None => {}
         }
         let dialect = self.model.source.dialect;
         let name = dialect.standard_name(name.text);
@@ -275,7 +277,9 @@ impl<'m> Lowering<'m> {
     ) -> LoweredValue {
         let name = self.model.source.text_of(callee);
         let hint = match code {
-            Code::FunctionCallUndeclared if reason != NOT_IN_DIALECT => self.similar_function(name),
+            Code::FunctionCallUndeclared if ![NOT_IN_DIALECT, SEVERAL_NAMESPACES].contains(&reason) => {
+                self.similar_function(name)
+            }
             _ => String::new(),
         };
         self.report(code, self.span(callee), format!("`{name}` {reason}{hint}"));

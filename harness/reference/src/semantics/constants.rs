@@ -14,8 +14,7 @@ use super::types::TypeId;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    Argument, BinaryOperator, CaseFolded, ExpressionId, ExpressionKind, Literal, LiteralKind, Name,
-    UnaryOperator,
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
 };
 use stickler_types::{Code, ElementaryType, literal};
 
@@ -204,8 +203,7 @@ impl<'m> Lowering<'m> {
         let ExpressionKind::Name(name) = self.expression(base).kind else {
             return refused;
         };
-        let is_known =
-            self.variable(name.text).is_some() || self.model.definitions.contains_key(&CaseFolded(name.text));
+        let is_known = self.variable(name.text).is_some() || self.model.definition(name).is_some();
         let undeclared = Constant::Unknown.refusal(name).filter(|_| !is_known);
         undeclared.unwrap_or(refused)
     }

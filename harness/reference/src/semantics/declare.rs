@@ -14,6 +14,7 @@ use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
 use rustc_hash::{FxHashMap, FxHashSet};
+use stickler_syntax::Namespaces;
 use stickler_syntax::source::{Span, saturating_u32};
 use stickler_syntax::tree::{
     CaseFolded, Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
@@ -77,7 +78,8 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
     let model = Model {
         source,
         types: TypeTable::default(),
-        definitions: Scope::default(),
+        namespaces: Namespaces::new(source.unit, source.dialect.library_namespaces),
+        definitions: FxHashMap::default(),
         declared_types: Vec::new(),
         pous: Vec::new(),
         variables: Vec::new(),
@@ -135,7 +137,12 @@ impl<'u> Declarer<'u, '_> {
                     self.global_blocks.extend(&configuration.globals);
                     self.configurations.push(configuration);
                 }
+                Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => {}
             }
+        }
+        for (name, reason) in std::mem::take(&mut self.model.namespaces.refused) {
+            let message = format!("`{}` {reason}", name.text);
+            self.report(Code::UndeclaredUnknownType, name.span, message);
         }
         self.number_types();
     }
@@ -201,8 +208,9 @@ impl<'u> Declarer<'u, '_> {
         if name.text.is_empty() {
             return;
         }
-        let Some(&earlier) = self.model.definitions.get(&CaseFolded(name.text)) else {
-            self.model.definitions.insert(CaseFolded(name.text), definition);
+        let key = (self.model.namespaces.at(name.span), CaseFolded(name.text));
+        let Some(&earlier) = self.model.definitions.get(&key) else {
+            self.model.definitions.insert(key, definition);
             return;
         };
         let code = match (self.kind_of(earlier), kind) {
@@ -305,8 +313,8 @@ impl<'u> Declarer<'u, '_> {
     }
 
     fn configured_instance(&mut self, name: Name<'u>, program: Name<'u>) {
-        match self.model.definitions.get(&CaseFolded(program.text)) {
-            Some(&TopLevelName::Pou(pou)) if self.model.pous[pou as usize].pou.kind == PouKind::Program => {
+        match self.model.definition(program) {
+            Some(TopLevelName::Pou(pou)) if self.model.pous[pou as usize].pou.kind == PouKind::Program => {
                 self.model.instances.push(Instance {
                     name: name.text,
                     pou,

@@ -259,7 +259,7 @@ impl<'m> Lowering<'m> {
 
     fn enumerated(&mut self, type_name: Name<'m>, value: Name<'m>) -> LoweredValue {
         let types = &self.model.types;
-        let Some(ty) = self.declared_type(type_name.text) else {
+        let Some(ty) = self.declared_type(type_name) else {
             let (code, message) = match ElementaryType::from_name(type_name.text) {
                 Some(ty) => (
                     Code::Std2013Feature,

@@ -103,15 +103,15 @@ impl<'m> Lowering<'m> {
     }
 
     /// Returns the type that a name declares; of the third edition's, the one that the text declares wins.
-    pub(super) fn declared_type(&self, name: &str) -> Option<TypeId> {
-        match self.model.definitions.get(&CaseFolded(name)) {
-            Some(&TopLevelName::Type(index)) => self.model.declared_types.get(index as usize).copied(),
+    pub(super) fn declared_type(&self, name: Name<'_>) -> Option<TypeId> {
+        match self.model.definition(name) {
+            Some(TopLevelName::Type(index)) => self.model.declared_types.get(index as usize).copied(),
             _ => None,
         }
     }
 
     fn infer_enumerated(&self, type_name: Name<'m>, value: Name<'m>) -> Inferred {
-        let ty = self.declared_type(type_name.text).unwrap_or(TypeId::ERROR);
+        let ty = self.declared_type(type_name).unwrap_or(TypeId::ERROR);
         match self.model.types.kind(ty) {
             TypeKind::Enumeration(enumeration) if enumeration.values.find(value.text).is_some() => {
                 self.inferred_of(ty)

@@ -11,6 +11,8 @@ use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{DeclaredVariable, Model, PouEntry};
 use super::reporter::Reporter;
+use super::scope::Scope;
+use super::statements::DeclaredLabel;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use rustc_hash::FxHashSet;
@@ -36,6 +38,8 @@ pub(super) struct Lowering<'m> {
     pub(super) constants_only: bool,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,
+    /// The labels of those lists of statements around the statement that have some, the innermost last.
+    pub(super) labels: Vec<Scope<'m, DeclaredLabel>>,
     /// The calls of POUs, as pairs of caller and callee with the first place of each.
     pub(super) calls: Vec<(u32, u32, Span)>,
     /// The pairs in `calls`.
@@ -93,6 +97,7 @@ impl<'m> Lowering<'m> {
             visible: u32::MAX,
             constants_only: false,
             loops: Vec::new(),
+            labels: Vec::new(),
             calls: Vec::new(),
             known_calls: FxHashSet::default(),
             fallible: None,

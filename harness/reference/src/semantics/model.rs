@@ -5,13 +5,14 @@ use super::constant::Constant;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
     Access, CaseFolded, Edge, Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit,
     VariableBlock, VariableGroup, VariableKind,
 };
+use stickler_syntax::{Meaning, NamespaceId, Namespaces};
 use stickler_types::ElementaryType;
 use stickler_types::dialect::Dialect;
 
@@ -52,8 +53,9 @@ impl<'u> SourceText<'u> {
 pub(super) struct Model<'u> {
     pub(super) source: SourceText<'u>,
     pub(super) types: TypeTable,
-    /// Types and program organization units by their names.
-    pub(super) definitions: Scope<'u, TopLevelName>,
+    pub(super) namespaces: Namespaces<'u>,
+    /// Types and program organization units by their namespaces and names.
+    pub(super) definitions: FxHashMap<(NamespaceId, CaseFolded<'u>), TopLevelName>,
     /// The types of [`TopLevelName::Type`].
     pub(super) declared_types: Vec<TypeId>,
     pub(super) pous: Vec<PouEntry<'u>>,
@@ -76,6 +78,10 @@ pub(super) struct Model<'u> {
     /// Whether any POU has methods or properties.
     pub(super) has_members: bool,
 }
+
+/// What is wrong with a name that several namespaces declare.
+pub(super) const SEVERAL_NAMESPACES: &str =
+    "is declared in several namespaces behind USING; a qualified name tells which one is meant";
 
 /// The meaning of a name at the top level.
 #[derive(Clone, Copy, Debug)]
@@ -302,6 +308,17 @@ pub(super) struct ConfiguredValue<'u> {
 }
 
 impl<'u> Model<'u> {
+    /// Finds the type or program organization unit that a name means where it stands.
+    pub(super) fn meaning(&self, name: Name<'_>) -> Meaning<TopLevelName> {
+        let get = |namespace, name: &str| self.definitions.get(&(namespace, CaseFolded(name))).copied();
+        self.namespaces.find(name, get)
+    }
+
+    /// Returns the type or program organization unit that a name means where it stands.
+    pub(super) fn definition(&self, name: Name<'_>) -> Option<TopLevelName> {
+        self.meaning(name).one()
+    }
+
     /// A variable.
     pub(super) fn variable(&self, index: u32) -> &DeclaredVariable<'u> {
         &self.variables[index as usize]

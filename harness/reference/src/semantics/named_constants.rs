@@ -9,7 +9,7 @@ use super::model::TopLevelName;
 use super::types::{TypeId, TypeKind};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    CaseFolded, ExpressionId, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
+    ExpressionId, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
 };
 use stickler_types::ElementaryType;
 
@@ -103,9 +103,9 @@ impl<'u> Declarer<'u, '_> {
                 _ => return ConstantType::Other,
             };
             let elementary = self.model.source.dialect.elementary(name.text);
-            let named = match self.model.definitions.get(&CaseFolded(name.text)) {
+            let named = match self.model.definition(name) {
                 _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
-                Some(&TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),
+                Some(TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),
                 Some(TopLevelName::Pou(_)) => return ConstantType::Other,
                 None => None,
             };

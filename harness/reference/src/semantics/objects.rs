@@ -46,7 +46,7 @@ impl<'u> Declarer<'u, '_> {
         for index in 0..self.model.pous.len() {
             let pou = self.model.pous[index].pou;
             for base in &pou.extends {
-                if let Some(&TopLevelName::Pou(base)) = self.model.definitions.get(&CaseFolded(base.text)) {
+                if let Some(TopLevelName::Pou(base)) = self.model.definition(*base) {
                     self.model.pous[base as usize].has_type_number = true;
                 }
             }
@@ -90,8 +90,8 @@ impl<'u> Declarer<'u, '_> {
 
     /// Returns the POU that stands behind EXTENDS (`is_base`) or IMPLEMENTS of a POU of some kind.
     fn ancestor(&mut self, of: PouKind, name: Name<'u>, is_base: bool) -> Option<u32> {
-        let found = match self.model.definitions.get(&CaseFolded(name.text)) {
-            Some(&TopLevelName::Pou(found)) => Some(found),
+        let found = match self.model.definition(name) {
+            Some(TopLevelName::Pou(found)) => Some(found),
             Some(TopLevelName::Type(_)) => None,
             None => {
                 let message = format!("type `{}` is not declared", name.text);

@@ -10,7 +10,7 @@ use super::types::{DefaultValue, TypeId, TypeKind};
 use rustc_hash::FxHashSet;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    CaseFolded, ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
+    ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableKind,
 };
 use stickler_types::Code;
@@ -159,7 +159,7 @@ struct Needs<'a, 'u> {
 impl Needs<'_, '_> {
     fn specification(&mut self, specification: &TypeSpecification<'_>) {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.name(name.unqualified()),
+            TypeSpecificationKind::Named(name) => self.name(*name),
             TypeSpecificationKind::Subrange { base, .. } => self.name(*base),
             TypeSpecificationKind::Array { element, .. } => self.specification(element),
             TypeSpecificationKind::Structure(groups) | TypeSpecificationKind::Union(groups) => {
@@ -176,9 +176,9 @@ impl Needs<'_, '_> {
     }
 
     fn name(&mut self, name: Name<'_>) {
-        let node = match self.model.definitions.get(&CaseFolded(name.text)) {
-            Some(&TopLevelName::Type(node)) => node as usize,
-            Some(&TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].node {
+        let node = match self.model.definition(name) {
+            Some(TopLevelName::Type(node)) => node as usize,
+            Some(TopLevelName::Pou(pou)) => match self.model.pous[pou as usize].node {
                 Some(node) => node,
                 None => return,
             },

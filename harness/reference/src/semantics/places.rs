@@ -11,7 +11,7 @@ use super::trace::UseKind;
 use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name};
 use stickler_types::dialect::{Dialect, PartialAccess};
 use stickler_types::{Code, ElementaryType};
 
@@ -82,7 +82,7 @@ impl<'m> Lowering<'m> {
         }
         let what = if self.enumerated_name(name.text).is_some() {
             "is an enumerated value, no variable".to_owned()
-        } else if self.model.definitions.contains_key(&CaseFolded(name.text)) {
+        } else if self.model.definition(name).is_some() {
             "is no variable".to_owned()
         } else if name.text.eq_ignore_ascii_case("NULL") {
             "is the reference to nothing, which the dialect does not have".to_owned()

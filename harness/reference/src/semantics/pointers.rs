@@ -15,7 +15,7 @@ use super::types::{PointerType, TypeId, TypeMember};
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, Instruction};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    Argument, BinaryOperator, CaseFolded, ExpressionId, ExpressionKind, PointerForm, VariableKind,
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, PointerForm, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};
 
@@ -387,9 +387,9 @@ impl<'m> Lowering<'m> {
         {
             let elementary = ElementaryType::from_name(name.text);
             let dialect = self.model.source.dialect;
-            return match self.model.definitions.get(&CaseFolded(name.text)) {
-                Some(&TopLevelName::Pou(pou)) => Some(self.model.pous[pou as usize].ty),
-                Some(TopLevelName::Type(_)) => self.declared_type(name.text),
+            return match self.model.definition(name) {
+                Some(TopLevelName::Pou(pou)) => Some(self.model.pous[pou as usize].ty),
+                Some(TopLevelName::Type(_)) => self.declared_type(name),
                 None => elementary.filter(|&ty| dialect.has(ty)).map(TypeId::of),
             };
         }

@@ -2,15 +2,16 @@
 
 use super::declare::Declarer;
 use super::memory::MAX_CELLS;
-use super::model::{DefaultInitialValue, TopLevelName};
+use super::model::{DefaultInitialValue, SEVERAL_NAMESPACES, TopLevelName};
 use super::scope::NamedList;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
 };
 use crate::library::is_not_implemented;
+use stickler_syntax::Meaning;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
-    CaseFolded, ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
+    ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};
 
@@ -26,7 +27,7 @@ impl<'u> Declarer<'u, '_> {
         hint: &'u str,
     ) -> TypeId {
         match &specification.kind {
-            TypeSpecificationKind::Named(name) => self.named(name.unqualified()),
+            TypeSpecificationKind::Named(name) => self.named(*name),
             TypeSpecificationKind::Text { name, length } => self.text(*name, *length),
             TypeSpecificationKind::Subrange { base, limits } => {
                 self.subrange(*base, *limits, specification.span)
@@ -82,14 +83,21 @@ impl<'u> Declarer<'u, '_> {
                 false => TypeId::of(ty),
             };
         }
-        match self.model.definitions.get(&CaseFolded(name.text)) {
-            Some(&TopLevelName::Type(node)) => return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR),
-            Some(&TopLevelName::Pou(pou)) => {
+        match self.model.meaning(name) {
+            Meaning::One(TopLevelName::Type(node)) => {
+                return self.nodes[node as usize].id.unwrap_or(TypeId::ERROR);
+            }
+            Meaning::One(TopLevelName::Pou(pou)) => {
                 if let Some(node) = self.model.pous[pou as usize].node {
                     return self.nodes[node].id.unwrap_or(TypeId::ERROR);
                 }
             }
-            None => {}
+            Meaning::Several => {
+                let message = format!("`{}` {SEVERAL_NAMESPACES}", name.text);
+                self.report(Code::UndeclaredUnknownType, name.span, message);
+                return TypeId::ERROR;
+            }
+            Meaning::None => {}
         }
         match elementary {
             Some(ty) if self.model.source.dialect.has(ty) => return TypeId::of(ty),

@@ -4,18 +4,36 @@ use super::contexts::ValueContext;
 use super::emitter::{Jump, Loop};
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
+use super::scope::Scope;
 use super::trace::UseKind;
 use super::types::TypeId;
-use crate::instruction::Instruction;
-use stickler_syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
+use crate::instruction::{Instruction, Label};
+use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Statement, StatementKind};
 use stickler_types::{Code, TextReading};
+
+/// A label of a list of statements.
+#[derive(Debug, Default)]
+pub(super) struct DeclaredLabel {
+    /// The place in the code; `None` before the label.
+    position: Option<Label>,
+    /// The jumps before the label.
+    jumps: Vec<Jump>,
+}
 
 impl<'m> Lowering<'m> {
     /// Lowers statements one after the other.
     pub(super) fn statements(&mut self, statements: &'m [Statement]) {
+        let labels = self.labels_of(statements);
+        let has_labels = !labels.is_empty();
+        if has_labels {
+            self.labels.push(labels);
+        }
         for statement in statements {
             self.set_line(statement.span);
             self.statement(statement);
+        }
+        if has_labels {
+            self.labels.pop();
         }
     }
 
@@ -55,6 +73,8 @@ impl<'m> Lowering<'m> {
                 }
             },
             StatementKind::Return => self.emit(Instruction::Return),
+            StatementKind::Jump(name) => self.jump_to(*name),
+            StatementKind::Label(name) => self.land_label(*name),
             StatementKind::Empty => {}
         }
     }
@@ -151,6 +171,53 @@ impl<'m> Lowering<'m> {
         self.condition(until);
         self.emit(Instruction::JumpIfFalse(top));
         self.land_all(done.exits);
+    }
+
+    /// Returns the labels of a list of statements.
+    fn labels_of(&mut self, statements: &'m [Statement]) -> Scope<'m, DeclaredLabel> {
+        let mut labels = Scope::default();
+        for statement in statements {
+            let StatementKind::Label(name) = statement.kind else {
+                continue;
+            };
+            let text = self.model.source.text_of(name);
+            if labels
+                .insert(CaseFolded(text), DeclaredLabel::default())
+                .is_some()
+            {
+                let message = format!("the label `{text}` stands twice in one list of statements");
+                self.report(Code::SyntaxError, statement.span, message);
+            }
+        }
+        labels
+    }
+
+    /// Lowers a jump to a label of the statements around it. No value is on the stack between statements, so that only the place in the
+    /// code changes.
+    fn jump_to(&mut self, name: ExpressionId) {
+        let text = self.model.source.text_of(name);
+        let mut around = self.labels.iter_mut().rev();
+        match around.find_map(|labels| labels.get_mut(&CaseFolded(text))) {
+            Some(DeclaredLabel {
+                position: Some(position),
+                ..
+            }) => self.emitter.emit(Instruction::Jump(*position)),
+            Some(label) => label.jumps.push(self.emitter.jump()),
+            None => {
+                let message = format!("no label `{text}` stands in the statements around the jump");
+                self.report(Code::SyntaxError, self.span(name), message);
+            }
+        }
+    }
+
+    fn land_label(&mut self, name: ExpressionId) {
+        let text = self.model.source.text_of(name);
+        let label = self.labels.last_mut();
+        if let Some(label) = label.and_then(|labels| labels.get_mut(&CaseFolded(text))) {
+            label.position = Some(self.emitter.position());
+            let jumps = std::mem::take(&mut label.jumps);
+            self.land_all(jumps);
+        }
     }
 
     /// Lowers the body of a loop; gives the jumps that leave it.

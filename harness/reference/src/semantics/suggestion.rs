@@ -12,7 +12,7 @@ use crate::conversion::{self, conversion_function_name};
 use crate::library;
 use std::sync::LazyLock;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
-use stickler_syntax::tree::ExpressionId;
+use stickler_syntax::tree::{ExpressionId, Name};
 use stickler_types::{ElementaryType, joined};
 
 /// The most names of the text that are compared with an unknown one.
@@ -70,11 +70,9 @@ impl<'m> Lowering<'m> {
     fn conversion_call(&self, id: ExpressionId, from: ElementaryType, to: ElementaryType) -> Option<String> {
         let source = self.model.source;
         let name = conversion_function_name(from, to, source.dialect)?;
-        let hidden = self.variable(&name).is_some()
-            || self
-                .model
-                .definitions
-                .contains_key(&stickler_syntax::tree::CaseFolded(&name));
+        let span = self.span(id);
+        let hidden =
+            self.variable(&name).is_some() || self.model.definition(Name { text: &name, span }).is_some();
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 

@@ -16,13 +16,16 @@ impl<'s> Parser<'s, '_> {
         let mut declarations = Vec::new();
         while self.kind() != TokenKind::End {
             let start = self.position();
-            if let Some(declaration) = self.declaration() {
-                declarations.push(declaration);
+            if self.at_namespace() {
+                self.namespace(&mut declarations);
+            } else {
+                declarations.extend(self.declaration());
             }
             if self.position() == start {
                 self.bump();
             }
         }
+        self.close_namespaces();
         declarations
     }
 
@@ -45,10 +48,6 @@ impl<'s> Parser<'s, '_> {
                     _ => "a declaration (variables other than VAR_GLOBAL stand in a POU)",
                 });
                 self.variable_block();
-                None
-            }
-            _ if self.at_foreign_declaration() => {
-                self.foreign_declaration();
                 None
             }
             _ => {
@@ -78,7 +77,8 @@ impl<'s> Parser<'s, '_> {
         }
         let modifiers = self.modifiers();
         let mut blocks = Vec::new();
-        let (name, bases, result) = self.pou_header(kind, &mut blocks);
+        let mut using = Vec::new();
+        let (name, bases, result) = self.pou_header(kind, &mut using, &mut blocks);
         self.blocks.push(OpenBlock::Pou);
         loop {
             if self.at_member() {
@@ -112,6 +112,7 @@ impl<'s> Parser<'s, '_> {
             kind,
             modifiers,
             name,
+            using,
             extends,
             implements,
             result,
@@ -128,6 +129,7 @@ impl<'s> Parser<'s, '_> {
     fn pou_header(
         &mut self,
         kind: PouKind,
+        using: &mut Vec<Name<'s>>,
         blocks: &mut Vec<VariableBlock<'s>>,
     ) -> (
         Option<Name<'s>>,
@@ -138,6 +140,7 @@ impl<'s> Parser<'s, '_> {
             self.skip_line();
             return (None, Default::default(), None);
         };
+        self.using_in_head(using);
         let bases = [
             self.names_behind("EXTENDS", "extends"),
             self.names_behind("IMPLEMENTS", "implements"),
@@ -156,6 +159,7 @@ impl<'s> Parser<'s, '_> {
             result = is_function.then(|| error_specification(self.token().span));
             self.skip_line();
         }
+        self.using_in_head(using);
         self.stray_semicolon();
         (Some(name), bases, result)
     }

@@ -25,6 +25,7 @@ impl<'s> Parser<'s, '_> {
             | "short-circuit"
             | "var-stat"
             | "union"
+            | "jump"
             | "assignment-expression" => (Code::SyntaxError, extension),
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
@@ -106,7 +107,7 @@ impl<'s> Parser<'s, '_> {
             if self.kind() != TokenKind::Dot {
                 names.push(name);
             } else if let TypeSpecificationKind::Named(name) = self.qualified_type(name.span) {
-                names.push(name.unqualified());
+                names.push(name);
             }
             if !self.eat(TokenKind::Comma) {
                 break;
@@ -227,6 +228,7 @@ impl<'s> Parser<'s, '_> {
             kind,
             modifiers,
             name,
+            using: Vec::new(),
             extends: Vec::new(),
             implements: Vec::new(),
             result,

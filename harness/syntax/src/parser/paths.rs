@@ -48,6 +48,7 @@ impl<'s> Parser<'s, '_> {
                 Ok(self.push(ExpressionKind::Field { base, field }, span))
             }
             TokenKind::Integer | TokenKind::Partial => Ok(self.partial_access(base, dot)),
+            TokenKind::Enumerated => Ok(self.qualified_value(base)),
             _ => Err(self.missing("a field's name or a bit's number")),
         }
     }

@@ -161,7 +161,7 @@ impl Parser<'_, '_> {
     pub(super) fn skip_to_declaration(&mut self) {
         while self.kind() != TokenKind::End
             && !self.kind().opens_declaration()
-            && !self.at_foreign_declaration()
+            && !self.at_namespace()
             && self.at_object().is_none()
         {
             self.bump();

@@ -75,6 +75,8 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) refused: bool,
     /// Whether something in the POU that is being read has been left out of the tree.
     pub(super) incomplete: bool,
+    /// The number of names in the head of each namespace that is open.
+    pub(super) namespaces: Vec<usize>,
     depth: usize,
     reported: Option<usize>,
     limit_reported: bool,
@@ -105,6 +107,7 @@ impl<'s, 'd> Parser<'s, 'd> {
             in_interface: false,
             refused: false,
             incomplete: false,
+            namespaces: Vec::new(),
             depth: 0,
             reported: None,
             limit_reported: false,

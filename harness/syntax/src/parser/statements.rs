@@ -2,6 +2,7 @@
 
 use super::open::OpenBlock;
 use super::state::{Broken, ParseResult, Parser};
+use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
 
@@ -63,6 +64,7 @@ impl<'s> Parser<'s, '_> {
                 let is_block = kind.is_block();
                 let span = first.to(self.previous_span());
                 let end = match is_block && self.dialect.ends_without_semicolon {
+                    _ if matches!(kind, StatementKind::Label(_)) => Ok(()),
                     true => {
                         self.eat(TokenKind::Semicolon);
                         Ok(())
@@ -112,6 +114,15 @@ impl<'s> Parser<'s, '_> {
     fn assignment_or_call(&mut self) -> ParseResult<StatementKind> {
         if !matches!(self.nth(1), TokenKind::Assign | TokenKind::LeftParen) {
             self.unsupported_statement()?;
+            if self.at_word("JMP") && self.nth(1) == TokenKind::Name {
+                let word = self.bump().span;
+                return self.label(word).map(StatementKind::Jump);
+            }
+            if self.at_label() {
+                let label = self.label(self.token().span).map(StatementKind::Label);
+                self.bump();
+                return label;
+            }
         }
         let start = self.token().span;
         let target = self.path()?;
@@ -134,6 +145,26 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Equal => self.expected("`:=`"),
             _ => self.missing("`:=` or a call"),
         })
+    }
+
+    /// Returns whether `label:` stands here: the statement behind it tells it from a mistaken `:=`.
+    fn at_label(&self) -> bool {
+        use TokenKind::{Assign, Colon, Dot, LeftBracket, LeftParen, Name, Semicolon};
+        let is_statement = match self.nth(2) {
+            Name => {
+                matches!(self.nth(3), Assign | LeftParen | LeftBracket | Dot | Colon | Name)
+            }
+            kind => kind == Semicolon || kind.opens_statement(),
+        };
+        self.nth(1) == Colon && is_statement
+    }
+
+    /// The name of a label; `word` is the place at which a dialect that has none is told.
+    fn label(&mut self, word: Span) -> ParseResult<ExpressionId> {
+        let has = self.has("jump", word, word.text(self.text));
+        let name = self.name("a label")?;
+        let id = self.push(ExpressionKind::Name(name), name.span);
+        if has { Ok(id) } else { Err(Broken) }
     }
 
     /// `target REF= value`.

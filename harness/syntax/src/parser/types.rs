@@ -172,23 +172,14 @@ impl<'s> Parser<'s, '_> {
         Ok(if has { Kind::Union(fields) } else { Kind::Error })
     }
 
-    /// `.name.name` behind the name of a namespace.
+    /// `.name.name` behind the name of a namespace or a library.
     pub(super) fn qualified_type(&mut self, start: Span) -> Kind<'s> {
-        self.skip_qualified_name();
-        let span = start.to(self.previous_span());
-        let text = span.text(self.text);
-        let is_joined = text
-            .bytes()
-            .all(|byte| byte == b'.' || byte == b'_' || byte.is_ascii_alphanumeric());
-        if self.dialect.library_namespaces && is_joined {
-            return Kind::Named(Name { text, span });
+        match self.qualified_by(start) {
+            Some(name) if self.dialect.library_namespaces || self.has("namespace", name.span, name.text) => {
+                Kind::Named(name)
+            }
+            _ => Kind::Error,
         }
-        let features = match self.dialect.library_namespaces {
-            true => "qualified names with blanks or comments between their parts",
-            false => "names qualified by a namespace",
-        };
-        self.unsupported(span, features);
-        Kind::Error
     }
 }
 

@@ -38,39 +38,6 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// NAMESPACE or USING begins a declaration here.
-    pub(super) fn at_foreign_declaration(&self) -> bool {
-        self.kind() == TokenKind::Name
-            && (self.nth(1) == TokenKind::Name && self.at_any_word(&["NAMESPACE", "USING"])
-                || self.at_word("END_NAMESPACE"))
-    }
-
-    /// Moves over such a declaration. The contents of a namespace are read as if it were not there.
-    pub(super) fn foreign_declaration(&mut self) {
-        let start = self.token().span;
-        if self.at_word("END_NAMESPACE") {
-            self.bump();
-            self.eat(TokenKind::Semicolon);
-            return;
-        }
-        let using = self.at_word("USING");
-        self.bump();
-        self.bump();
-        self.skip_qualified_name();
-        if using {
-            self.eat(TokenKind::Semicolon);
-        }
-        self.unsupported(start.to(self.previous_span()), "namespaces (NAMESPACE, USING)");
-    }
-
-    /// Moves over `.name.name` behind the name of a namespace.
-    pub(super) fn skip_qualified_name(&mut self) {
-        while self.kind() == TokenKind::Dot && self.nth(1) == TokenKind::Name {
-            self.bump();
-            self.bump();
-        }
-    }
-
     /// VAR_ACCESS, up to its END_VAR.
     pub(super) fn unsupported_section(&mut self) {
         let token = self.bump();
@@ -104,8 +71,8 @@ impl<'s> Parser<'s, '_> {
             && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
-    /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, an element
-    /// of a chart, a jump or a label.
+    /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, or an
+    /// element of a chart.
     pub(super) fn unsupported_statement(&mut self) -> ParseResult<()> {
         let next = self.nth(1);
         let start = self.token().span;
@@ -117,40 +84,13 @@ impl<'s> Parser<'s, '_> {
             self.skip_body();
             return Err(Broken);
         }
-        if next == TokenKind::Name && self.at_word("JMP") {
-            self.bump();
-            self.bump();
-            self.unsupported(start.to(self.previous_span()), "jumps and labels (JMP)");
-            return Err(Broken);
-        }
-        if matches!(next, TokenKind::Name | TokenKind::Colon | TokenKind::LeftParen)
-            && self.at_any_word(&CHART)
-        {
-            if next == TokenKind::Colon {
-                return self.unsupported_label();
-            }
+        if matches!(next, TokenKind::Name | TokenKind::LeftParen) && self.at_any_word(&CHART) {
             self.unsupported(start, "sequential function charts (STEP, TRANSITION, ACTION)");
             self.incomplete = true;
             self.skip_body();
             return Err(Broken);
         }
-        self.unsupported_label()
-    }
-
-    /// `label:`, told from a mistaken `:=` by the statement behind it.
-    fn unsupported_label(&mut self) -> ParseResult<()> {
-        use TokenKind::{Assign, Colon, Dot, LeftBracket, LeftParen, Name, Semicolon};
-        let statement = match self.nth(2) {
-            Name => matches!(self.nth(3), Assign | LeftParen | LeftBracket | Dot),
-            kind => kind == Semicolon || kind.opens_statement(),
-        };
-        if self.nth(1) != Colon || !statement {
-            return Ok(());
-        }
-        let start = self.bump().span;
-        self.bump();
-        self.unsupported(start, "jumps and labels (JMP)");
-        Err(Broken)
+        Ok(())
     }
 
     /// `?=`, `S=` or `R=` behind the variable that begins at `start`.

@@ -22,6 +22,9 @@ impl<'u, 's> Writer<'u, 's> {
                 Declaration::Types(types) => self.types(types),
                 Declaration::Globals(block) => self.block_of_variables(block),
                 Declaration::Configuration(configuration) => self.configuration(configuration),
+                Declaration::Namespace(name) => self.line(&format!("NAMESPACE {}", name.text)),
+                Declaration::EndNamespace(_) => self.line("END_NAMESPACE"),
+                Declaration::Using(name) => self.line(&format!("USING {};", name.text)),
             }
         }
     }
@@ -53,6 +56,9 @@ impl<'u, 's> Writer<'u, 's> {
             self.out.extend([" ", word]);
         }
         self.out.extend([" ", pou.name.text]);
+        if pou.kind != PouKind::Function {
+            self.using(&pou.using);
+        }
         for (word, names) in [(" EXTENDS ", &pou.extends), (" IMPLEMENTS ", &pou.implements)] {
             self.put(if names.is_empty() { "" } else { word });
             self.list(names, |writer, name| writer.put(writer.names.pou_name(name.text)));
@@ -61,7 +67,17 @@ impl<'u, 's> Writer<'u, 's> {
             self.put(" : ");
             self.specification(result);
         }
+        if pou.kind == PouKind::Function {
+            self.using(&pou.using);
+        }
         self.end();
+    }
+
+    /// USING in the head of a POU.
+    fn using(&mut self, names: &[Name<'s>]) {
+        for name in names {
+            self.out.extend([" USING ", name.text, ";"]);
+        }
     }
 
     /// An access specifier behind another word.

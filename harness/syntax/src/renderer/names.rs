@@ -62,7 +62,7 @@ impl<'u, 's: 'u> Visitor<'u, 's> for Names<'u, 's> {
         let shape = NameShape::Typed(&declared.specification);
         self.types.insert(CaseFolded(name), (name, shape));
         if let Some(base) = declared.extends {
-            let base = Some(base.text);
+            let base = Some(base.unqualified().text);
             let place = declared.specification.span.start;
             self.outer.insert(place, Outer { owner: None, base });
         }
@@ -103,7 +103,7 @@ impl<'u, 's> Names<'u, 's> {
         let place = pou.span.start;
         let outer = Outer {
             owner: Some(owner),
-            base: pou.extends.first().map(|base| base.text),
+            base: pou.extends.first().map(|base| base.unqualified().text),
         };
         self.outer.insert(place, outer);
         for member in &pou.members {
@@ -170,7 +170,7 @@ impl<'u, 's> Names<'u, 's> {
         let owner = self.outer.get(&place)?.owner?;
         let shape = match own_instance(name)? {
             "THIS" => NameShape::Pou(owner),
-            _ => self.shape_of(owner.extends.first()?.text)?,
+            _ => self.shape_of(owner.extends.first()?.unqualified().text)?,
         };
         Some((name, shape))
     }

@@ -83,6 +83,14 @@ impl<'u, 's> Writer<'u, 's> {
             StatementKind::Exit => self.put("EXIT"),
             StatementKind::Continue => self.put("CONTINUE"),
             StatementKind::Return => self.put("RETURN"),
+            StatementKind::Jump(label) => {
+                self.put("JMP ");
+                self.expression(*label);
+            }
+            StatementKind::Label(label) => {
+                self.expression(*label);
+                self.put(":");
+            }
             StatementKind::Empty => {}
         }
     }

@@ -16,6 +16,12 @@ pub enum Declaration<'s> {
     Globals(VariableBlock<'s>),
     /// CONFIGURATION … END_CONFIGURATION.
     Configuration(Configuration<'s>),
+    /// NAMESPACE and its name; the declarations up to the matching [`Declaration::EndNamespace`] belong to it.
+    Namespace(Name<'s>),
+    /// The keyword END_NAMESPACE.
+    EndNamespace(Name<'s>),
+    /// USING and the name of one namespace.
+    Using(Name<'s>),
 }
 
 /// The kind of a program organization unit.
@@ -117,6 +123,8 @@ pub struct Pou<'s> {
     pub modifiers: Modifiers,
     /// The name; the GET and the SET of a property both have the property's, at the same place.
     pub name: Name<'s>,
+    /// The namespaces behind USING in the head.
+    pub using: Vec<Name<'s>>,
     /// The names behind EXTENDS.
     pub extends: Vec<Name<'s>>,
     /// The names behind IMPLEMENTS.

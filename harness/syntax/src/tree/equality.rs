@@ -51,7 +51,7 @@ compare! {
     Initializer<'_> { kind } without span;
     Configuration<'_> { name, globals, resources, configured } without span;
     Pou<'_> {
-        kind, modifiers, name, extends, implements, result, blocks, body, members
+        kind, modifiers, name, using, extends, implements, result, blocks, body, members
     } without span, end;
 }
 

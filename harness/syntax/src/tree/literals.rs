@@ -14,9 +14,10 @@ pub struct Prefixed<'s> {
 }
 
 impl<'s> Prefixed<'s> {
-    /// Takes the word that is written as `written` and begins at byte `start`; without a `#` or point all of it is the prefix.
+    /// Takes the word that is written as `written` and begins at byte `start`; without a `#` or point all of it is the prefix, which
+    /// namespaces may qualify.
     pub(crate) fn new(written: &'s str, start: u32) -> Prefixed<'s> {
-        let prefix = written.find(['#', '.']).unwrap_or(written.len()) as u32;
+        let prefix = written.rfind(['#', '.']).unwrap_or(written.len()) as u32;
         Prefixed {
             written,
             start,

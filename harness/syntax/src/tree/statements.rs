@@ -80,6 +80,10 @@ pub enum StatementKind {
     Continue,
     /// RETURN.
     Return,
+    /// `JMP name`: its expression is an [`ExpressionKind::Name`](super::ExpressionKind::Name), which names a label.
+    Jump(ExpressionId),
+    /// `name:` before a statement.
+    Label(ExpressionId),
     /// A lone semicolon.
     Empty,
 }

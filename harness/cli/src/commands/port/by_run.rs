@@ -31,6 +31,7 @@ pub(super) fn accepted_part(text: &str, dialects: [DialectName; 2]) -> String {
                 Declaration::Globals(globals) => globals.span,
                 Declaration::Configuration(configuration) => configuration.span,
                 Declaration::Types(_) => continue,
+                Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => continue,
             };
             let of_span = index.line(span.start)..=index.line(span.end);
             if lines.iter().any(|line| of_span.contains(line)) {
