@@ -1,9 +1,12 @@
-//! Puts two folders of data into the crate: the files of the documented dialects, every `conformance-cases/dialects/*.toml` in the order
-//! of their key `order`, with a constant for the name of each; and the pages of the diagnostic codes, every `codes/*.md`.
+//! Puts data into the crate: the files of the documented dialects, every `conformance-cases/dialects/*.toml` in the order
+//! of their key `order`, with a constant for the name of each; the pages of the diagnostic codes, every `codes/*.md`; and the choices of dialects, `choices.toml`.
 
+use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+use toml::Spanned;
 
 fn main() -> io::Result<()> {
     let dialects = read("../../conformance-cases/dialects", "toml")?.into_iter();
@@ -13,7 +16,56 @@ fn main() -> io::Result<()> {
     let pages = read("codes", "md")?;
     let codes = pages.iter().map(|(path, page)| code(path, page));
     let codes = codes.collect::<io::Result<String>>()?;
-    write("codes.rs", &format!("codes! {{\n{codes}}}\n"))
+    write("codes.rs", &format!("codes! {{\n{codes}}}\n"))?;
+    println!("cargo::rerun-if-changed=choices.toml");
+    let text = fs::read_to_string("choices.toml")?;
+    let tables: BTreeMap<String, ChoiceTable> = toml::from_str(&text).map_err(io::Error::other)?;
+    for (macro_name, names) in [
+        ("language_choices", &["flags", "language", "operators"][..]),
+        ("conversion_choices", &["conversions"]),
+        ("documents", &["documents"]),
+    ] {
+        let choices = names.iter().map(|name| choices(name, &tables[*name]));
+        let choices: String = choices.collect();
+        write(
+            &format!("{macro_name}.rs"),
+            &format!("{macro_name}! {{\n{choices}}}\n"),
+        )?;
+    }
+    Ok(())
+}
+
+/// A table of `choices.toml`.
+type ChoiceTable = BTreeMap<Spanned<String>, ChoiceEntry>;
+
+/// A choice, as `choices.toml` says at its beginning.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ChoiceEntry {
+    about: String,
+    basis: Option<String>,
+    field: Option<String>,
+    flag: Option<String>,
+    r#type: Option<String>,
+    default: Option<String>,
+}
+
+/// Returns the choices of a table as the macro `choices` takes them, in the order of the file.
+fn choices(table: &str, entries: &ChoiceTable) -> String {
+    let mut entries: Vec<_> = entries.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    let choice = |(key, entry): (&Spanned<String>, &ChoiceEntry)| {
+        let key = key.get_ref();
+        let basis = entry.basis.iter().map(|basis| format!("\n\nBasis: {basis}."));
+        let about = entry.about.clone() + &basis.collect::<String>();
+        let field = entry.field.clone().unwrap_or_else(|| key.replace('-', "_"));
+        let ty = entry.r#type.as_deref().unwrap_or("bool");
+        let default = entry.default.as_deref().unwrap_or("false");
+        let flag = entry.flag.iter().map(|flag| format!("\"flags.{flag}\", "));
+        let keys = flag.collect::<String>() + &format!("\"{table}.{key}\"");
+        format!("    #[doc = {about:?}]\n    {field}: {ty} = {default}, [{keys}];\n")
+    };
+    entries.into_iter().map(choice).collect()
 }
 
 /// Returns the paths and texts of the files with an extension in a folder of the crate, by path.
