@@ -1,6 +1,7 @@
 //! Reads a folder of case files into a suite.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::panic::resume_unwind;
 use std::path::Path;
 use std::thread;
@@ -10,9 +11,7 @@ use serde::Deserialize;
 use stickler_types::{DialectName, Fnv1a};
 use stickler_workers::{SpawnError, WorkerPool};
 
-use crate::assembly::TypeNames;
 use crate::defined::restate;
-use crate::dialects::DialectSet;
 use crate::error::{Mistake, in_file};
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
@@ -110,7 +109,6 @@ impl Suite {
         let (statements, errors) = statements::read(&root, &sources);
         suite.errors.extend(errors);
         suite.statements = statements;
-        let type_names = TypeNames::default();
         listing
             .files
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
@@ -121,7 +119,6 @@ impl Suite {
             features: &features,
             sources: Some(&sources),
             places: &places,
-            types: &type_names,
         };
         let read = |file: &files::CaseFile| {
             let mut harvest = read_file(file, names);
@@ -193,7 +190,6 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
         features: &features,
         sources: Some(&read.sources),
         places: &places,
-        types: &TypeNames::default(),
     };
     let harvest = read_file(&file, names);
     errors.extend(in_file(harvest.mistakes, &file.shown));
@@ -215,7 +211,6 @@ pub fn read_case_file(
         features: &Features::default(),
         sources: None,
         places,
-        types: &TypeNames::default(),
     };
     let harvest = match files::kind(name) {
         Some(kind) => read_text(name, name, kind, text, names),
@@ -231,7 +226,6 @@ struct SuiteNames<'a> {
     features: &'a Features,
     sources: Option<&'a Sources>,
     places: &'a Places,
-    types: &'a TypeNames,
 }
 
 fn read_file(file: &files::CaseFile, names: SuiteNames<'_>) -> Harvest {
@@ -266,7 +260,6 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
         named: RefCell::default(),
         sources: names.sources,
         places: names.places,
-        type_names: names.types,
         budget: table::Budget::default(),
     };
     let mut harvest = match kind {
@@ -285,12 +278,12 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
 /// Drops each case whose id and dialect the file has already, and records one mistake per line. Ids of different files
 /// differ.
 fn drop_duplicates(harvest: &mut Harvest) {
-    let mut seen: FxHashMap<&str, (DialectSet, u32)> = FxHashMap::default();
+    let mut seen: FxHashMap<&str, (BTreeSet<DialectName>, u32)> = FxHashMap::default();
     seen.reserve(harvest.cases.len() / 2);
     let mut mistakes = Vec::new();
     let mut is_first = Vec::with_capacity(harvest.cases.len());
     for case in &harvest.cases {
-        let (dialects, first_line) = seen.entry(&case.id).or_insert((DialectSet::default(), case.line));
+        let (dialects, first_line) = seen.entry(&case.id).or_insert((BTreeSet::new(), case.line));
         let is_new = dialects.insert(case.dialect);
         is_first.push(is_new);
         if is_new {

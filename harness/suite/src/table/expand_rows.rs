@@ -13,7 +13,6 @@ use crate::error::Mistake;
 use crate::frame::Harvest;
 use crate::ident;
 use crate::mark::MarkWord;
-use crate::program::Remarks;
 use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
 use crate::table::keys::TableRow;
 use crate::table::neighbours::{self, BESIDE};
@@ -64,19 +63,8 @@ impl Expect {
 }
 
 /// Expands the rows of a file.
-pub(crate) fn expand(
-    table: &TableExpansion<'_>,
-    testable: Testable<'_>,
-    harvest: &mut Harvest,
-    remarks: &mut Remarks,
-) {
-    let mut probes = probes::read(
-        table.file,
-        table.context,
-        testable,
-        &mut harvest.mistakes,
-        remarks,
-    );
+pub(crate) fn expand(table: &TableExpansion<'_>, testable: Testable<'_>, harvest: &mut Harvest) {
+    let mut probes = probes::read(table.file, table.context, testable, harvest);
     let Some(dialects) = table.dialects.clone().filter(|dialects| !dialects.is_empty()) else {
         let mistake = Mistake::new(1, "the file has no dialects").key("dialects");
         return harvest.mistakes.push(mistake);
@@ -291,7 +279,7 @@ impl RowExpander<'_, '_> {
             Expect::Fault if !faults => return Err(here("`fault` is expected, but no `fault` mark applies")),
             _ => {}
         }
-        let targets = |assembler: &mut Assembler<'_>| match rejected || faults {
+        let targets = |assembler: &mut Assembler| match rejected || faults {
             true => Ok(()),
             false => targets(probe, texts, line, expect, assembler),
         };
@@ -362,7 +350,7 @@ fn targets(
     texts: &[&str],
     line: u32,
     expect: &Expect,
-    assembler: &mut Assembler<'_>,
+    assembler: &mut Assembler,
 ) -> Result<(), Mistake> {
     let mut scratch = String::new();
     if matches!(expect, Expect::Open) {

@@ -97,7 +97,7 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
         probe: &Probe<'_>,
         active: &[usize],
         (texts, line): (&[&str], u32),
-        targets: impl FnOnce(&mut Assembler<'_>) -> Result<(), Mistake>,
+        targets: impl FnOnce(&mut Assembler) -> Result<(), Mistake>,
         hint: impl FnOnce() -> String,
     ) -> Result<Assembly, Mistake> {
         let program = &probe.program;
@@ -108,7 +108,7 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
             );
             return Err(Mistake::new(line, message).hint("write `($2A` and `*$29`"));
         }
-        let mut assembler = Assembler::new(self.table.context.type_names);
+        let mut assembler = Assembler::default();
         let applied = program.apply(active, texts, &mut assembler);
         targets(&mut assembler)?;
         let assembly = applied
