@@ -1,7 +1,6 @@
 //! The reference from the outside, in one program: each of its own would be linked once more.
 
 mod calls;
-mod conversion_properties;
 mod dialects;
 mod hostile;
 mod programs;
