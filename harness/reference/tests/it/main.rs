@@ -6,4 +6,3 @@ mod hostile;
 mod programs;
 mod registry;
 mod requests;
-mod syntax_mutations;
