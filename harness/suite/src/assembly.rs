@@ -7,7 +7,7 @@ use stickler_types::{ClockSetting, ElementaryType, Observation, Setting, Value};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic};
 
 /// The claims that all marks of a case make together.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Assembly {
     pub(crate) expectation: Arc<Expectation>,
     pub(crate) observe: Arc<[Observation]>,

@@ -53,7 +53,7 @@ pub(crate) struct ProbeFrame {
 }
 
 /// The properties of a group of cases that differ only in their dialect.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct DialectGroup<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,

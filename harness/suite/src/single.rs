@@ -115,17 +115,14 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
                     let message = format!("the case {}", Assembly::NOTHING);
                     harvest.remark(Mistake::new(1, message).hint(Assembly::SAY_OK));
                 }
-                let (id, title, source) = (Arc::clone(&id), Arc::clone(&title), Arc::clone(&source));
                 let group = DialectGroup {
-                    id,
-                    title,
+                    id: Arc::clone(&id),
+                    title: Arc::clone(&title),
                     basis: basis.clone(),
                     line: 1,
-                    source,
+                    source: Arc::clone(&source),
                     assembly,
-                    question: None,
-                    cell: None,
-                    placement: None,
+                    ..DialectGroup::default()
                 };
                 harvest.add(context, &frame, &group, &members);
             }

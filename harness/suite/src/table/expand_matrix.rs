@@ -13,14 +13,14 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::Harvest;
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::model::MatrixCell;
 use crate::table::cell::{
     ABOVE, BELOW, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE,
     declarations, one_of,
 };
-use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
+use crate::table::expansion::{CaseMaker, TableExpansion};
 use crate::table::inputs;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::MatrixKey;
@@ -345,15 +345,16 @@ impl MatrixExpander<'_, '_> {
             }
             None => self.0.title(probe, section.title.as_ref(), &texts),
         };
-        let parts = CaseParts {
+        let group = DialectGroup {
             id: self.id(of, value_in_id.then_some(texts[VALUE])),
             line: cell.line,
             title,
             basis: cell.basis.clone(),
             assembly,
             cell: Some(&cell.place),
+            ..DialectGroup::default()
         };
-        self.0.add(probe, &texts, parts, of.dialects)
+        self.0.add(probe, &texts, group, of.dialects)
     }
 
     fn assemble(

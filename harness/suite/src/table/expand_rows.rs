@@ -10,10 +10,10 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::Harvest;
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::mark::MarkWord;
-use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
+use crate::table::expansion::{CaseMaker, TableExpansion};
 use crate::table::keys::TableRow;
 use crate::table::neighbours::{self, BESIDE};
 use crate::table::probe::Probe;
@@ -302,15 +302,15 @@ impl RowExpander<'_, '_> {
             Some(title) => title.into(),
             None => self.maker.title(probe, None, texts),
         };
-        let parts = CaseParts {
+        let group = DialectGroup {
             id: self.id(probe, texts).into(),
             line,
             title,
             basis,
             assembly,
-            cell: None,
+            ..DialectGroup::default()
         };
-        self.maker.add(probe, texts, parts, members)
+        self.maker.add(probe, texts, group, members)
     }
 
     /// Returns the id of the case: it names those cells of the row that the program uses outside its marks.
