@@ -83,45 +83,24 @@ impl Suite {
     /// its kind. Does not report the mistakes of the other files.
     pub fn load_files(dir: &Path, wanted: Wanted<'_>, is_wanted: impl Fn(&str, FileKind) -> bool) -> Suite {
         let root = files::Root::new(dir);
-        let mut suite = Suite::default();
-        suite.read_version(&root);
-        suite.read_dialects(&root);
-        suite.read_withdrawn(&root);
-        suite.dialects = std::mem::take(&mut suite.dialects).wanting(wanted);
-        let (read, (places, errors), mut listing) = thread::scope(|scope| {
+        let (mut suite, mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.
             let listing = thread::Builder::new().spawn_scoped(scope, || files::list(&root));
-            let read = sources::read(&root, &suite.dialects);
-            let places = places::read(&root, &suite.dialects, &read.sources);
+            let suite = Suite::without_cases(&root, wanted);
             let listing = match listing {
                 Ok(listing) => listing.join().unwrap_or_else(|panic| resume_unwind(panic)),
                 // Without threads it takes longer.
                 Err(_) => files::list(&root),
             };
-            (read, places, listing)
+            (suite, listing)
         });
-        suite.errors.extend(read.errors);
-        suite.remarks.extend(read.remarks);
-        suite.errors.extend(errors);
-        let sources = read.sources;
-        let (features, errors) = features::read(&root, &sources, &suite.dialects);
-        suite.errors.extend(errors);
-        let (statements, errors) = statements::read(&root, &sources);
-        suite.errors.extend(errors);
-        suite.statements = statements;
         listing
             .files
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
-        let names = SuiteNames {
-            dialects: &suite.dialects,
-            features: &features,
-            sources: Some(&sources),
-            places: &places,
-        };
         let read = |file: &files::CaseFile| {
-            let mut harvest = read_file(file, names);
+            let mut harvest = read_file(file, suite.names());
             let cases = harvest.cases.iter_mut();
             cases.filter(|case| case.dialect.is_custom()).for_each(restate);
             harvest
@@ -136,11 +115,35 @@ impl Suite {
         for (file, harvest) in listing.files.iter().zip(harvests) {
             suite.take(&file.shown, harvest);
         }
-        suite.sources = sources;
-        suite.features = features;
-        suite.places = places;
         suite.errors.sort();
         suite
+    }
+
+    /// Reads the files of the suite's own.
+    fn without_cases(root: &files::Root, wanted: Wanted<'_>) -> Suite {
+        let mut suite = Suite::default();
+        suite.read_version(root);
+        suite.read_withdrawn(root);
+        let (dialects, of_dialects) = dialects::read(root);
+        suite.dialects = dialects.wanting(wanted);
+        let read = sources::read(root, &suite.dialects);
+        (suite.sources, suite.remarks) = (read.sources, read.remarks);
+        let (places, of_places) = places::read(root, &suite.dialects, &suite.sources);
+        let (features, of_features) = features::read(root, &suite.sources, &suite.dialects);
+        let (statements, of_statements) = statements::read(root, &suite.sources);
+        (suite.places, suite.features, suite.statements) = (places, features, statements);
+        let errors = [of_dialects, read.errors, of_places, of_features, of_statements];
+        suite.errors.extend(errors.into_iter().flatten());
+        suite
+    }
+
+    fn names(&self) -> SuiteNames<'_> {
+        SuiteNames {
+            dialects: &self.dialects,
+            features: &self.features,
+            sources: Some(&self.sources),
+            places: &self.places,
+        }
     }
 
     fn read_version(&mut self, root: &files::Root) {
@@ -151,12 +154,6 @@ impl Suite {
             Ok(file) => self.version = file.version,
             Err(mistake) => self.errors.push(mistake.in_file(&shown)),
         }
-    }
-
-    fn read_dialects(&mut self, root: &files::Root) {
-        let (dialects, errors) = dialects::read(root);
-        self.dialects = dialects;
-        self.errors.extend(errors);
     }
 
     fn take(&mut self, shown: &str, harvest: Harvest) {
@@ -171,29 +168,15 @@ impl Suite {
 /// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
 pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     let root = files::Root::new(root);
-    let (dialects, mut errors) = dialects::read(&root);
-    let file = match root.case_file(path) {
-        Ok(file) => file,
-        Err(error) => {
-            errors.push(error);
-            return (Vec::new(), errors);
+    let mut suite = Suite::without_cases(&root, Wanted::default());
+    match root.case_file(path) {
+        Ok(file) => {
+            let harvest = read_file(&file, suite.names());
+            suite.take(&file.shown, harvest);
         }
-    };
-    let read = sources::read(&root, &dialects);
-    errors.extend(read.errors);
-    let (places, mistakes) = places::read(&root, &dialects, &read.sources);
-    errors.extend(mistakes);
-    let (features, mistakes) = features::read(&root, &read.sources, &dialects);
-    errors.extend(mistakes);
-    let names = SuiteNames {
-        dialects: &dialects,
-        features: &features,
-        sources: Some(&read.sources),
-        places: &places,
-    };
-    let harvest = read_file(&file, names);
-    errors.extend(in_file(harvest.mistakes, &file.shown));
-    (harvest.cases, errors)
+        Err(error) => suite.errors.push(error),
+    }
+    (suite.cases, suite.errors)
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
