@@ -205,7 +205,7 @@ impl CaseGroup<'_, '_> {
                 .is_some_and(|input| input.value.is_some())
         };
         let ty = match own {
-            Some(own) => Some(ElementaryType::declared(&own).map_or(own, |ty| elementary_name(ty))),
+            Some(own) => Some(ElementaryType::declared(&own).map_or(own, elementary_name)),
             None => match column.base {
                 Some(ty) => Some(elementary_name(ty)),
                 None => enumeration().then(|| Arc::clone(&column.name)),
