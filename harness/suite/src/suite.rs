@@ -127,7 +127,8 @@ impl Suite {
         let (dialects, of_dialects) = dialects::read(root);
         suite.dialects = dialects.wanting(wanted);
         let read = sources::read(root, &suite.dialects);
-        (suite.sources, suite.remarks) = (read.sources, read.remarks);
+        suite.sources = read.sources;
+        suite.remarks.extend(read.remarks);
         let (places, of_places) = places::read(root, &suite.dialects, &suite.sources);
         let (features, of_features) = features::read(root, &suite.sources, &suite.dialects);
         let (statements, of_statements) = statements::read(root, &suite.sources);
