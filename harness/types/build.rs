@@ -1,24 +1,112 @@
-//! Puts the files of the documented dialects into the crate: every `conformance-cases/dialects/*.toml`, in the order of their key
-//! `order`, and a constant for the name of each.
+//! Puts data into the crate: the files of the documented dialects, every `conformance-cases/dialects/*.toml` in the order
+//! of their key `order`, with a constant for the name of each; the pages of the diagnostic codes, every `codes/*.md`; and the choices of dialects, `choices.toml`.
 
+use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
+use toml::Spanned;
 
 fn main() -> io::Result<()> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases/dialects");
+    let dialects = read("../../conformance-cases/dialects", "toml")?.into_iter();
+    let mut dialects: Vec<_> = dialects.map(|(path, text)| (order(&text), path)).collect();
+    dialects.sort();
+    write("dialects.rs", &source(&dialects).map_err(io::Error::other)?)?;
+    let pages = read("codes", "md")?;
+    let codes = pages.iter().map(|(path, page)| code(path, page));
+    let codes = codes.collect::<io::Result<String>>()?;
+    write("codes.rs", &format!("codes! {{\n{codes}}}\n"))?;
+    println!("cargo::rerun-if-changed=choices.toml");
+    let text = fs::read_to_string("choices.toml")?;
+    let tables: BTreeMap<String, ChoiceTable> = toml::from_str(&text).map_err(io::Error::other)?;
+    for (macro_name, names) in [
+        ("language_choices", &["flags", "language", "operators"][..]),
+        ("conversion_choices", &["conversions"]),
+        ("documents", &["documents"]),
+    ] {
+        let choices = names.iter().map(|name| choices(name, &tables[*name]));
+        let choices: String = choices.collect();
+        write(
+            &format!("{macro_name}.rs"),
+            &format!("{macro_name}! {{\n{choices}}}\n"),
+        )?;
+    }
+    Ok(())
+}
+
+/// A table of `choices.toml`.
+type ChoiceTable = BTreeMap<Spanned<String>, ChoiceEntry>;
+
+/// A choice, as `choices.toml` says at its beginning.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ChoiceEntry {
+    about: String,
+    basis: Option<String>,
+    field: Option<String>,
+    flag: Option<String>,
+    r#type: Option<String>,
+    default: Option<String>,
+}
+
+/// Returns the choices of a table as the macro `choices` takes them, in the order of the file.
+fn choices(table: &str, entries: &ChoiceTable) -> String {
+    let mut entries: Vec<_> = entries.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    let choice = |(key, entry): (&Spanned<String>, &ChoiceEntry)| {
+        let key = key.get_ref();
+        let basis = entry.basis.iter().map(|basis| format!("\n\nBasis: {basis}."));
+        let about = entry.about.clone() + &basis.collect::<String>();
+        let field = entry.field.clone().unwrap_or_else(|| key.replace('-', "_"));
+        let ty = entry.r#type.as_deref().unwrap_or("bool");
+        let default = entry.default.as_deref().unwrap_or("false");
+        let flag = entry.flag.iter().map(|flag| format!("\"flags.{flag}\", "));
+        let keys = flag.collect::<String>() + &format!("\"{table}.{key}\"");
+        format!("    #[doc = {about:?}]\n    {field}: {ty} = {default}, [{keys}];\n")
+    };
+    entries.into_iter().map(choice).collect()
+}
+
+/// Returns the paths and texts of the files with an extension in a folder of the crate, by path.
+fn read(folder: &str, extension: &str) -> io::Result<Vec<(PathBuf, String)>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     println!("cargo::rerun-if-changed={}", folder.display());
     let mut files = Vec::new();
     for entry in fs::read_dir(&folder)? {
         let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        if path.extension().is_some_and(|own| own == extension) {
             println!("cargo::rerun-if-changed={}", path.display());
-            files.push((order(&fs::read_to_string(&path)?), path));
+            files.push((path.clone(), fs::read_to_string(&path)?));
         }
     }
     files.sort();
-    let output = Path::new(&env::var_os("OUT_DIR").unwrap_or_default()).join("dialects.rs");
-    fs::write(output, source(&files).map_err(io::Error::other)?)
+    Ok(files)
+}
+
+fn write(file: &str, text: &str) -> io::Result<()> {
+    fs::write(
+        Path::new(&env::var_os("OUT_DIR").unwrap_or_default()).join(file),
+        text,
+    )
+}
+
+/// Returns the line of a diagnostic code: its number and its name, which its page has in the heading.
+fn code(path: &Path, page: &str) -> io::Result<String> {
+    let heading = page.lines().next().and_then(|line| line.strip_prefix("# "));
+    let heading = heading.filter(|heading| {
+        path.file_stem()
+            .is_some_and(|code| heading.split(' ').next() == code.to_str())
+    });
+    let wrong = || {
+        io::Error::other(format!(
+            "{}: the first line must be `# CODE NAME`",
+            path.display()
+        ))
+    };
+    heading
+        .map(|heading| format!("    {heading},\n"))
+        .ok_or_else(wrong)
 }
 
 /// Returns the number behind `order =`; files without one come last.

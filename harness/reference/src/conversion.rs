@@ -29,8 +29,6 @@
 mod bcd;
 mod catalogue;
 mod concatenation;
-#[cfg(test)]
-mod exactness;
 mod formatting;
 mod implicit;
 mod listing;
@@ -38,6 +36,8 @@ mod moment;
 mod reading;
 pub(crate) mod real;
 mod rule;
+#[cfg(test)]
+mod tests;
 mod text;
 mod writing;
 

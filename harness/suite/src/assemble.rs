@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 use stickler_types::{ClockSetting, Code, ElementaryType, Observation, Setting, Severity, Value};
 
-use crate::assembly::{Assembly, TypeNames, contradiction, shared};
+use crate::assembly::{Assembly, contradiction, shared};
 use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
@@ -25,8 +25,8 @@ struct TimedText {
 }
 
 /// Collector of the claims that the marks of one expansion make.
-#[derive(Debug)]
-pub(crate) struct Assembler<'n> {
+#[derive(Debug, Default)]
+pub(crate) struct Assembler {
     expectation: Expectation,
     recorded: Vec<Observation>,
     /// The settings of variables and of the clock, with the lines of their marks.
@@ -39,26 +39,10 @@ pub(crate) struct Assembler<'n> {
     acceptance_observed: bool,
     /// The line of the last mark, on which contradictions between several marks are reported.
     line: u32,
-    names: &'n TypeNames,
     scratch: String,
 }
 
-impl<'n> Assembler<'n> {
-    pub(crate) fn new(names: &'n TypeNames) -> Assembler<'n> {
-        Assembler {
-            expectation: Expectation::default(),
-            recorded: Vec::new(),
-            set: Vec::new(),
-            clock: Vec::new(),
-            timed: Vec::new(),
-            no_time: None,
-            acceptance_observed: false,
-            line: 0,
-            names,
-            scratch: String::new(),
-        }
-    }
-
+impl Assembler {
     /// Adds the claim of a mark on `line` of the program, and tells its mistakes there; `file_line` maps a line of the template to a line of the case
     /// file.
     pub(crate) fn mark(
@@ -281,7 +265,7 @@ impl<'n> Assembler<'n> {
         if self.expectation.accepted == Acceptance::Rejected {
             recorded.clear();
         }
-        let observe = observed::all(&self.expectation.values, recorded, self.names).map_err(wrong)?;
+        let observe = observed::all(&self.expectation.values, recorded).map_err(wrong)?;
         self.expectation.diagnostics.sort();
         self.expectation.warnings.sort();
         let mut set: Vec<Setting> = self.set.into_iter().map(|(_, set)| set).collect();

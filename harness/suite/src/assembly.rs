@@ -1,13 +1,13 @@
 //! The claims of all marks that apply to one expansion, and the check that they do not contradict each other.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use stickler_types::{ClockSetting, ElementaryType, Observation, Setting, Value};
 
-use crate::model::{Acceptance, Expectation};
+use crate::model::{Acceptance, Expectation, ExpectedDiagnostic};
 
 /// The claims that all marks of a case make together.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Assembly {
     pub(crate) expectation: Arc<Expectation>,
     pub(crate) observe: Arc<[Observation]>,
@@ -47,79 +47,80 @@ pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
         rendered,
         accepted,
     } = expectation;
-    let observed = *accepted == Acceptance::Observed;
-    let has_clean_line = |line| clean_lines.binary_search(&line).is_ok();
-    if warnings.iter().any(|warning| has_clean_line(warning.line)) {
-        return Some("`ok` and `warning` apply to the same line");
-    }
-    if diagnostics.is_empty() {
-        return match observed {
-            false => None,
-            true if !warnings.is_empty() => Some("`observe acceptance` asserts nothing, but `warning` does"),
-            true if !values.is_empty() => {
-                Some("`observe acceptance` asserts nothing, but values are asserted")
-            }
-            true if fault.is_some() => Some("`observe acceptance` asserts nothing, but a fault is asserted"),
-            true if rendered.is_some() => {
-                Some("`observe acceptance` asserts nothing, but a rendered text is asserted")
-            }
-            true if !clean_lines.is_empty() => Some("`observe acceptance` asserts nothing, but `ok` does"),
-            true => None,
-        };
-    }
-    if observed {
-        Some("an `error` mark and `observe acceptance` apply at once")
-    } else if !warnings.is_empty() {
-        Some(
+    let (observed, rejected) = (*accepted == Acceptance::Observed, !diagnostics.is_empty());
+    let has_clean_line = |told: &ExpectedDiagnostic| clean_lines.binary_search(&told.line).is_ok();
+    let (warns, runs, stops) = (!warnings.is_empty(), !values.is_empty(), fault.is_some());
+    let contradictions = [
+        (
+            warnings.iter().any(has_clean_line),
+            "`ok` and `warning` apply to the same line",
+        ),
+        (
+            rejected && observed,
+            "an `error` mark and `observe acceptance` apply at once",
+        ),
+        (
+            rejected && warns,
             "an `error` mark applies, and the warnings of a rejected program are not compared, but one is asserted",
-        )
-    } else if !values.is_empty() {
-        Some("an `error` mark applies, so the program does not run, but values are asserted")
-    } else if fault.is_some() {
-        Some("an `error` mark applies, so the program does not run, but a fault is asserted")
-    } else if rendered.is_some() {
-        Some("an `error` mark applies, but what the renderer gives back is asserted")
-    } else if diagnostics.iter().any(|error| has_clean_line(error.line)) {
-        Some("`ok` and `error` apply to the same line")
-    } else {
-        None
-    }
+        ),
+        (
+            rejected && runs,
+            "an `error` mark applies, so the program does not run, but values are asserted",
+        ),
+        (
+            rejected && stops,
+            "an `error` mark applies, so the program does not run, but a fault is asserted",
+        ),
+        (
+            rejected && rendered.is_some(),
+            "an `error` mark applies, but what the renderer gives back is asserted",
+        ),
+        (
+            diagnostics.iter().any(has_clean_line),
+            "`ok` and `error` apply to the same line",
+        ),
+        (
+            observed && warns,
+            "`observe acceptance` asserts nothing, but `warning` does",
+        ),
+        (
+            observed && runs,
+            "`observe acceptance` asserts nothing, but values are asserted",
+        ),
+        (
+            observed && stops,
+            "`observe acceptance` asserts nothing, but a fault is asserted",
+        ),
+        (
+            observed && rendered.is_some(),
+            "`observe acceptance` asserts nothing, but a rendered text is asserted",
+        ),
+        (
+            observed && !clean_lines.is_empty(),
+            "`observe acceptance` asserts nothing, but `ok` does",
+        ),
+    ];
+    let mut contradictions = contradictions.into_iter();
+    contradictions.find_map(|(applies, message)| applies.then_some(message))
 }
 
-/// The names of the elementary types, allocated once for all cases that use them.
-#[derive(Debug)]
-pub(crate) struct TypeNames(Vec<Arc<str>>);
+/// The names of the elementary types in the order of [`ElementaryType::ALL`], allocated once for all cases that use them.
+static TYPE_NAMES: LazyLock<[Arc<str>; ElementaryType::ALL.len()]> =
+    LazyLock::new(|| ElementaryType::ALL.map(|ty| ty.name().into()));
 
-impl Default for TypeNames {
-    fn default() -> Self {
-        TypeNames(
-            ElementaryType::ALL
-                .iter()
-                .map(|ty| Arc::from(ty.name()))
-                .collect(),
-        )
-    }
+/// Returns the name of an elementary type.
+pub(crate) fn elementary_name(ty: ElementaryType) -> Arc<str> {
+    Arc::clone(&TYPE_NAMES[ty as usize])
 }
 
-impl TypeNames {
-    /// Returns the name of a value's type.
-    pub(crate) fn of(&self, value: &Value) -> Arc<str> {
-        match value {
-            Value::Plain { ty, .. }
-            | Value::Text { ty, .. }
-            | Value::OutOfRange { ty, .. }
-            | Value::Near { ty, .. } => self.elementary(*ty),
-            Value::Enumerated { type_name, .. } => type_name.as_str().into(),
-        }
-    }
-
-    /// Returns the name of an elementary type.
-    pub(crate) fn elementary(&self, ty: ElementaryType) -> Arc<str> {
-        match self.0.get(ty as usize) {
-            // The variants stand in the order of `ALL`; a test holds that.
-            Some(name) => Arc::clone(name),
-            None => ty.name().into(),
-        }
+/// Returns the name of a value's type.
+pub(crate) fn type_name(value: &Value) -> Arc<str> {
+    match value {
+        Value::Plain { ty, .. }
+        | Value::Text { ty, .. }
+        | Value::OutOfRange { ty, .. }
+        | Value::Near { ty, .. } => elementary_name(*ty),
+        Value::Enumerated { type_name, .. } => type_name.as_str().into(),
     }
 }
 
@@ -129,19 +130,5 @@ pub(crate) fn shared<T>(list: Vec<T>) -> Arc<[T]> {
         Arc::default()
     } else {
         list.into()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_type_has_its_own_name() {
-        let names = TypeNames::default();
-        for ty in ElementaryType::ALL {
-            assert_eq!(&*names.elementary(ty), ty.name());
-        }
-        assert_eq!(&*names.of(&Value::enumerated("COLOR", "RED")), "COLOR");
     }
 }

@@ -217,49 +217,6 @@ pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     }
 }
 
-/// A set of dialects.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub(crate) struct DialectSet {
-    /// The first dialects, one bit each.
-    first: u64,
-    /// The dialects of the set whose number has no bit in `first`; usually none.
-    others: Vec<DialectName>,
-}
-
-impl DialectSet {
-    /// Adds a dialect; returns false if the set had it already.
-    pub(crate) fn insert(&mut self, dialect: DialectName) -> bool {
-        if self.contains(dialect) {
-            return false;
-        }
-        match DialectSet::bit(dialect) {
-            Some(bit) => self.first |= bit,
-            None => self.others.push(dialect),
-        }
-        true
-    }
-
-    /// Adds the dialects of another set.
-    pub(crate) fn extend(&mut self, other: &DialectSet) {
-        self.first |= other.first;
-        for &dialect in &other.others {
-            self.insert(dialect);
-        }
-    }
-
-    /// Returns whether a dialect is in the set.
-    pub(crate) fn contains(&self, dialect: DialectName) -> bool {
-        match DialectSet::bit(dialect) {
-            Some(bit) => self.first & bit != 0,
-            None => self.others.contains(&dialect),
-        }
-    }
-
-    fn bit(dialect: DialectName) -> Option<u64> {
-        1_u64.checked_shl(u32::try_from(dialect.index()).ok()?)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

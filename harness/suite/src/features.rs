@@ -9,7 +9,7 @@ pub use stickler_syntax::features::FeatureKey;
 use stickler_types::{Dialect, DialectName, ElementaryType, words};
 use toml::Spanned;
 
-use crate::dialects::{DialectSet, Dialects};
+use crate::dialects::Dialects;
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -25,7 +25,7 @@ pub struct Features {
     /// In the order of the file.
     list: Vec<Feature>,
     /// The dialects that lack a feature, by its key.
-    lacked: FxHashMap<String, DialectSet>,
+    lacked: FxHashMap<String, BTreeSet<DialectName>>,
 }
 
 /// A construct of the language that a program may use, a dialect may have, and an engine may lack.
@@ -127,8 +127,8 @@ impl Features {
     }
 
     /// Returns the dialects that lack a feature of a program.
-    pub(crate) fn lacking(&self, source: &str) -> DialectSet {
-        let mut lacking = DialectSet::default();
+    pub(crate) fn lacking(&self, source: &str) -> BTreeSet<DialectName> {
+        let mut lacking = BTreeSet::new();
         for used in stickler_syntax::features::feature_uses(source, &Dialect::DEFAULT) {
             if let Some(dialects) = self.lacked.get(&*used.key) {
                 lacking.extend(dialects);

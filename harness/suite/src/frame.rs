@@ -7,7 +7,7 @@ use rustc_hash::FxHashSet;
 use stickler_types::{DialectName, Question};
 use toml::Spanned;
 
-use crate::assembly::{Assembly, TypeNames};
+use crate::assembly::Assembly;
 use crate::citations::{Citations, WrittenBasis};
 use crate::dialects::Dialects;
 use crate::error::Mistake;
@@ -39,7 +39,6 @@ pub(crate) struct FileContext<'a> {
     pub(crate) sources: Option<&'a Sources>,
     /// The places that probes may name.
     pub(crate) places: &'a Places,
-    pub(crate) type_names: &'a TypeNames,
     /// The limits on the expansion of the file.
     pub(crate) budget: Budget,
 }
@@ -54,7 +53,7 @@ pub(crate) struct ProbeFrame {
 }
 
 /// The properties of a group of cases that differ only in their dialect.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct DialectGroup<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,
@@ -173,7 +172,7 @@ impl FileContext<'_> {
         let named = self.named.borrow();
         if !having.iter().all(|dialect| named.contains(dialect)) {
             let lacking = self.features.lacking(source);
-            having.retain(|dialect| named.contains(dialect) || !lacking.contains(*dialect));
+            having.retain(|dialect| named.contains(dialect) || !lacking.contains(dialect));
         }
         having
     }

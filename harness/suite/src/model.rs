@@ -76,18 +76,8 @@ impl Case {
     /// Returns whether another version of the case claims the same, wherever its program has the lines.
     pub(crate) fn claims_the_same_as(&self, other: &Case) -> bool {
         let without_lines = |case: &Case| {
-            let mut expectation = (*case.expectation).clone();
-            let told = expectation
-                .diagnostics
-                .iter_mut()
-                .chain(&mut expectation.warnings);
-            told.for_each(|diagnostic| diagnostic.line = 0);
+            let mut expectation = case.expectation.with_lines(|_| 0);
             expectation.values.iter_mut().for_each(|value| value.line = 0);
-            expectation.fault.iter_mut().for_each(|fault| fault.line = 0);
-            expectation
-                .rendered
-                .iter_mut()
-                .for_each(|rendered| rendered.line = 0);
             expectation.clean_lines.clear();
             expectation
         };
@@ -170,6 +160,21 @@ pub struct Expectation {
 }
 
 impl Expectation {
+    /// Returns the expectation of a program whose lines have other numbers.
+    pub(crate) fn with_lines(&self, line: impl Fn(u32) -> u32) -> Expectation {
+        let mut moved = self.clone();
+        let diagnostics = moved.diagnostics.iter_mut().chain(&mut moved.warnings);
+        let diagnostics = diagnostics.map(|expected| &mut expected.line);
+        let fault = moved.fault.iter_mut().map(|expected| &mut expected.line);
+        let rendered = moved.rendered.iter_mut().map(|expected| &mut expected.line);
+        let lines = diagnostics
+            .chain(&mut moved.clean_lines)
+            .chain(fault)
+            .chain(rendered);
+        lines.for_each(|number| *number = line(*number));
+        moved
+    }
+
     /// Returns whether a case with this expectation, which observes these variables, only records: it asserts nothing but that
     /// the program is accepted, if that.
     pub(crate) fn is_open(&self, observe: &[Observation]) -> bool {

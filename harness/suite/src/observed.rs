@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 
-use crate::assembly::TypeNames;
+use crate::assembly::type_name;
 use crate::model::ExpectedValue;
 use stickler_types::Observation;
 
@@ -12,14 +12,10 @@ use stickler_types::Observation;
 ///
 /// # Errors
 /// A message, if a value is asserted twice or a variable has two types.
-pub(crate) fn all(
-    values: &[ExpectedValue],
-    recorded: Vec<Observation>,
-    names: &TypeNames,
-) -> Result<Vec<Observation>, String> {
+pub(crate) fn all(values: &[ExpectedValue], recorded: Vec<Observation>) -> Result<Vec<Observation>, String> {
     let mut directory = Directory::with_capacity(values.len() + recorded.len());
     for value in values {
-        let (name, type_name) = (Arc::clone(&value.name), names.of(&value.value));
+        let (name, type_name) = (Arc::clone(&value.name), type_name(&value.value));
         if directory
             .find_or_add(Observation {
                 name,

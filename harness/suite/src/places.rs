@@ -69,58 +69,38 @@ pub struct ProgramPlace {
 }
 
 /// A place as `places.toml` has it.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 struct PlaceKey {
-    /// A description for a person; nothing reads it.
-    #[expect(dead_code, reason = "a reader of the file needs it, and no program does")]
+    /// A description for a person.
     title: String,
     /// The sections of sources that promise the place.
     promised: Strings,
     absent: Option<Vec<Spanned<String>>>,
     only_rejected: Option<Vec<Spanned<String>>>,
     /// Whether the place stands only in probes that name it or a group of it.
-    #[serde(default)]
     only_named: bool,
     only: Option<Spanned<String>>,
     units: Option<Vec<Spanned<String>>>,
-    #[serde(default)]
     groups: Vec<String>,
     /// Whether a source is a literal, or a target takes nothing else.
-    #[serde(default)]
     literal: bool,
     /// Whether a source is a call, which has a code of its own where it does not fit.
-    #[serde(default)]
     call: bool,
-    #[serde(default)]
     code: String,
-    #[serde(default)]
     call_code: String,
-    #[serde(default)]
     value: String,
-    #[serde(default)]
     target: String,
-    #[serde(default)]
     observe: String,
-    #[serde(default)]
     declarations: String,
-    #[serde(default)]
     parameters: String,
-    #[serde(default)]
     variables: String,
-    #[serde(default)]
     sections: String,
-    #[serde(default)]
     globals: String,
-    #[serde(default)]
     before: String,
-    #[serde(default)]
     statement: String,
-    #[serde(default)]
     after: String,
-    #[serde(default)]
     caller: String,
-    #[serde(default)]
     arguments: String,
 }
 

@@ -30,18 +30,15 @@ pub(crate) struct ProgramTemplate {
     used_in_marks: Vec<bool>,
 }
 
-/// Warnings about a program that can be used.
-#[derive(Debug, Default)]
-pub(crate) struct Remarks(pub(crate) Vec<Mistake>);
-
 impl ProgramTemplate {
-    /// Reads `text`; comments before the byte `marks_from` (the header) are not read as marks.
+    /// Reads `text`; comments before the byte `marks_from` (the header) are not read as marks. Adds warnings about a program that can be used to
+    /// `remarks`.
     pub(crate) fn read(
         text: &str,
         marks_from: usize,
         place: TextPlace,
         reader: &MarkReader<'_>,
-        remarks: &mut Remarks,
+        remarks: &mut Vec<Mistake>,
     ) -> Result<ProgramTemplate, Vec<Mistake>> {
         let mut mistakes = Vec::new();
         let found = scan(text);
@@ -50,7 +47,7 @@ impl ProgramTemplate {
         }
         for &line in found.hidden.iter().take(MAX_MISTAKES) {
             let message = "`(*!` stands in a string or in another comment, where it is no mark";
-            remarks.0.push(Mistake::new(place.line(line), message));
+            remarks.push(Mistake::new(place.line(line), message));
         }
         let (unmarked, offsets) = unmarked(text, &found.marks);
         let source = read_source(text, place, reader)
@@ -149,7 +146,7 @@ impl ProgramTemplate {
         &self,
         active: &[usize],
         texts: &[&str],
-        assembler: &mut Assembler<'_>,
+        assembler: &mut Assembler,
     ) -> Result<(), Mistake> {
         let moved = texts.iter().any(|text| text.contains('\n'));
         for &index in active {

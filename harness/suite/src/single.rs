@@ -17,7 +17,7 @@ use crate::header::{self, FileHeader};
 use crate::mark::MarkWord;
 use crate::mark_reader::{MARKS, MarkReader};
 use crate::place::TextPlace;
-use crate::program::{ProgramTemplate, Remarks};
+use crate::program::ProgramTemplate;
 use crate::scan::{RawMark, scan};
 use crate::toml_text;
 
@@ -80,13 +80,12 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
         testable,
         is_template: false,
     };
-    let mut remarks = Remarks::default();
     let program = match ProgramTemplate::read(
         context.text,
         program_start,
         TextPlace::FILE,
         &reader,
-        &mut remarks,
+        &mut harvest.remarks,
     ) {
         Ok(program) => program,
         Err(more) => {
@@ -94,7 +93,6 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
             return;
         }
     };
-    harvest.remarks.append(&mut remarks.0);
     if !mistakes.is_empty() {
         return;
     }
@@ -106,7 +104,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
     let title: Arc<str> = header.title.as_str().into();
     let source = program.fill(&mut String::new(), &[]);
     for (active, members) in program.groups(&dialects, &[]) {
-        let mut assembler = Assembler::new(context.type_names);
+        let mut assembler = Assembler::default();
         assembler.settings(&set, &clock);
         let assembled = program
             .apply(&active, &[], &mut assembler)
@@ -117,17 +115,14 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
                     let message = format!("the case {}", Assembly::NOTHING);
                     harvest.remark(Mistake::new(1, message).hint(Assembly::SAY_OK));
                 }
-                let (id, title, source) = (Arc::clone(&id), Arc::clone(&title), Arc::clone(&source));
                 let group = DialectGroup {
-                    id,
-                    title,
+                    id: Arc::clone(&id),
+                    title: Arc::clone(&title),
                     basis: basis.clone(),
                     line: 1,
-                    source,
+                    source: Arc::clone(&source),
                     assembly,
-                    question: None,
-                    cell: None,
-                    placement: None,
+                    ..DialectGroup::default()
                 };
                 harvest.add(context, &frame, &group, &members);
             }

@@ -1,6 +1,7 @@
 //! Reads a folder of case files into a suite.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::panic::resume_unwind;
 use std::path::Path;
 use std::thread;
@@ -10,9 +11,7 @@ use serde::Deserialize;
 use stickler_types::{DialectName, Fnv1a};
 use stickler_workers::{SpawnError, WorkerPool};
 
-use crate::assembly::TypeNames;
 use crate::defined::restate;
-use crate::dialects::DialectSet;
 use crate::error::{Mistake, in_file};
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
@@ -84,47 +83,24 @@ impl Suite {
     /// its kind. Does not report the mistakes of the other files.
     pub fn load_files(dir: &Path, wanted: Wanted<'_>, is_wanted: impl Fn(&str, FileKind) -> bool) -> Suite {
         let root = files::Root::new(dir);
-        let mut suite = Suite::default();
-        suite.read_version(&root);
-        suite.read_dialects(&root);
-        suite.read_withdrawn(&root);
-        suite.dialects = std::mem::take(&mut suite.dialects).wanting(wanted);
-        let (read, (places, errors), mut listing) = thread::scope(|scope| {
+        let (mut suite, mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.
             let listing = thread::Builder::new().spawn_scoped(scope, || files::list(&root));
-            let read = sources::read(&root, &suite.dialects);
-            let places = places::read(&root, &suite.dialects, &read.sources);
+            let suite = Suite::without_cases(&root, wanted);
             let listing = match listing {
                 Ok(listing) => listing.join().unwrap_or_else(|panic| resume_unwind(panic)),
                 // Without threads it takes longer.
                 Err(_) => files::list(&root),
             };
-            (read, places, listing)
+            (suite, listing)
         });
-        suite.errors.extend(read.errors);
-        suite.remarks.extend(read.remarks);
-        suite.errors.extend(errors);
-        let sources = read.sources;
-        let (features, errors) = features::read(&root, &sources, &suite.dialects);
-        suite.errors.extend(errors);
-        let (statements, errors) = statements::read(&root, &sources);
-        suite.errors.extend(errors);
-        suite.statements = statements;
-        let type_names = TypeNames::default();
         listing
             .files
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
-        let names = SuiteNames {
-            dialects: &suite.dialects,
-            features: &features,
-            sources: Some(&sources),
-            places: &places,
-            types: &type_names,
-        };
         let read = |file: &files::CaseFile| {
-            let mut harvest = read_file(file, names);
+            let mut harvest = read_file(file, suite.names());
             let cases = harvest.cases.iter_mut();
             cases.filter(|case| case.dialect.is_custom()).for_each(restate);
             harvest
@@ -139,11 +115,36 @@ impl Suite {
         for (file, harvest) in listing.files.iter().zip(harvests) {
             suite.take(&file.shown, harvest);
         }
-        suite.sources = sources;
-        suite.features = features;
-        suite.places = places;
         suite.errors.sort();
         suite
+    }
+
+    /// Reads the files of the suite's own.
+    fn without_cases(root: &files::Root, wanted: Wanted<'_>) -> Suite {
+        let mut suite = Suite::default();
+        suite.read_version(root);
+        suite.read_withdrawn(root);
+        let (dialects, of_dialects) = dialects::read(root);
+        suite.dialects = dialects.wanting(wanted);
+        let read = sources::read(root, &suite.dialects);
+        suite.sources = read.sources;
+        suite.remarks.extend(read.remarks);
+        let (places, of_places) = places::read(root, &suite.dialects, &suite.sources);
+        let (features, of_features) = features::read(root, &suite.sources, &suite.dialects);
+        let (statements, of_statements) = statements::read(root, &suite.sources);
+        (suite.places, suite.features, suite.statements) = (places, features, statements);
+        let errors = [of_dialects, read.errors, of_places, of_features, of_statements];
+        suite.errors.extend(errors.into_iter().flatten());
+        suite
+    }
+
+    fn names(&self) -> SuiteNames<'_> {
+        SuiteNames {
+            dialects: &self.dialects,
+            features: &self.features,
+            sources: Some(&self.sources),
+            places: &self.places,
+        }
     }
 
     fn read_version(&mut self, root: &files::Root) {
@@ -154,12 +155,6 @@ impl Suite {
             Ok(file) => self.version = file.version,
             Err(mistake) => self.errors.push(mistake.in_file(&shown)),
         }
-    }
-
-    fn read_dialects(&mut self, root: &files::Root) {
-        let (dialects, errors) = dialects::read(root);
-        self.dialects = dialects;
-        self.errors.extend(errors);
     }
 
     fn take(&mut self, shown: &str, harvest: Harvest) {
@@ -174,30 +169,15 @@ impl Suite {
 /// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
 pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     let root = files::Root::new(root);
-    let (dialects, mut errors) = dialects::read(&root);
-    let file = match root.case_file(path) {
-        Ok(file) => file,
-        Err(error) => {
-            errors.push(error);
-            return (Vec::new(), errors);
+    let mut suite = Suite::without_cases(&root, Wanted::default());
+    match root.case_file(path) {
+        Ok(file) => {
+            let harvest = read_file(&file, suite.names());
+            suite.take(&file.shown, harvest);
         }
-    };
-    let read = sources::read(&root, &dialects);
-    errors.extend(read.errors);
-    let (places, mistakes) = places::read(&root, &dialects, &read.sources);
-    errors.extend(mistakes);
-    let (features, mistakes) = features::read(&root, &read.sources, &dialects);
-    errors.extend(mistakes);
-    let names = SuiteNames {
-        dialects: &dialects,
-        features: &features,
-        sources: Some(&read.sources),
-        places: &places,
-        types: &TypeNames::default(),
-    };
-    let harvest = read_file(&file, names);
-    errors.extend(in_file(harvest.mistakes, &file.shown));
-    (harvest.cases, errors)
+        Err(error) => suite.errors.push(error),
+    }
+    (suite.cases, suite.errors)
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
@@ -215,7 +195,6 @@ pub fn read_case_file(
         features: &Features::default(),
         sources: None,
         places,
-        types: &TypeNames::default(),
     };
     let harvest = match files::kind(name) {
         Some(kind) => read_text(name, name, kind, text, names),
@@ -231,7 +210,6 @@ struct SuiteNames<'a> {
     features: &'a Features,
     sources: Option<&'a Sources>,
     places: &'a Places,
-    types: &'a TypeNames,
 }
 
 fn read_file(file: &files::CaseFile, names: SuiteNames<'_>) -> Harvest {
@@ -266,7 +244,6 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
         named: RefCell::default(),
         sources: names.sources,
         places: names.places,
-        type_names: names.types,
         budget: table::Budget::default(),
     };
     let mut harvest = match kind {
@@ -285,12 +262,12 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
 /// Drops each case whose id and dialect the file has already, and records one mistake per line. Ids of different files
 /// differ.
 fn drop_duplicates(harvest: &mut Harvest) {
-    let mut seen: FxHashMap<&str, (DialectSet, u32)> = FxHashMap::default();
+    let mut seen: FxHashMap<&str, (BTreeSet<DialectName>, u32)> = FxHashMap::default();
     seen.reserve(harvest.cases.len() / 2);
     let mut mistakes = Vec::new();
     let mut is_first = Vec::with_capacity(harvest.cases.len());
     for case in &harvest.cases {
-        let (dialects, first_line) = seen.entry(&case.id).or_insert((DialectSet::default(), case.line));
+        let (dialects, first_line) = seen.entry(&case.id).or_insert((BTreeSet::new(), case.line));
         let is_new = dialects.insert(case.dialect);
         is_first.push(is_new);
         if is_new {

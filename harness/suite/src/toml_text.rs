@@ -43,7 +43,7 @@ pub(crate) fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<S
 }
 
 /// One string, or several.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Strings(pub(crate) Vec<Spanned<String>>);
 
 /// A key that is either a string or a list of `T`.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::{Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText};
+use crate::model::Case;
 use crate::scan::RawMark;
 
 impl Case {
@@ -10,33 +10,12 @@ impl Case {
     #[must_use]
     pub fn without_blank_lines(&self) -> Case {
         let (program, lines) = without_blank_lines(&self.source);
-        let expectation = &*self.expectation;
         let line = |line: u32| match lines.binary_search(&line) {
             Ok(at) | Err(at) => u32::try_from(at + 1).unwrap_or(u32::MAX),
         };
-        let moved = |reported: &[ExpectedDiagnostic]| {
-            let moved = reported.iter().map(|expected| ExpectedDiagnostic {
-                line: line(expected.line),
-                ..*expected
-            });
-            moved.collect()
-        };
         Case {
             source: program.into(),
-            expectation: Arc::new(Expectation {
-                diagnostics: moved(&expectation.diagnostics),
-                warnings: moved(&expectation.warnings),
-                clean_lines: expectation.clean_lines.iter().map(|clean| line(*clean)).collect(),
-                fault: expectation.fault.map(|expected| ExpectedFault {
-                    line: line(expected.line),
-                    ..expected
-                }),
-                rendered: expectation.rendered.as_ref().map(|expected| ExpectedText {
-                    line: line(expected.line),
-                    ..expected.clone()
-                }),
-                ..expectation.clone()
-            }),
+            expectation: Arc::new(self.expectation.with_lines(line)),
             ..self.clone()
         }
     }
@@ -106,6 +85,7 @@ fn ends_line(source: &str, marks: &[RawMark<'_>]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Expectation;
     use crate::scan::scan;
 
     fn text(source: &str) -> String {

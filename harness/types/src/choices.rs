@@ -244,40 +244,22 @@ impl Choice for RealText {
     }
 }
 
-choices! {
-    /// The choices of a dialect on which a conversion depends besides its types and its operand. By default real numbers become the
-    /// nearest integer, numbers outside wrap, texts are read whole, and values are written as the wire protocol has them.
-    ///
-    /// Basis: iec-60559: Operations (rounding to nearest); forgeiec-conversion-functions: Range and precision, matiec conformance;
-    /// ironplc-type-conversions: Explicit Conversion Functions; rule: not-stated for what is open.
-    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-    ConversionChoices {
-        /// The rounding of conversion functions from a real number to an integer, except TRUNC, ROUND and their variants.
-        rounding: Rounding = Rounding::HalfToEven, ["conversions.rounding"];
-        /// The result of a conversion function for a real number whose integer the target cannot hold.
-        out_of_range: OutOfRange = OutOfRange::Wrap, ["conversions.out-of-range"];
-        /// The result of TRUNC and its variants for a real number whose integer the target cannot hold.
-        truncation_out_of_range: OutOfRange = OutOfRange::Wrap, ["conversions.truncation-out-of-range"];
-        /// The part of a text that must be a number.
-        text_reading: TextReading = TextReading::WholeText, ["conversions.text-reading"];
-        /// The digits in which REAL and LREAL are written as text.
-        real_text: RealText = RealText::Shortest, ["conversions.real-text"];
-        /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
-        bit_string_text: BitStringText = BitStringText::FullWidth, ["conversions.bit-string-text"];
-        /// The form in which durations, dates and times of day are written as text.
-        moment_text: MomentText = MomentText::Literal, ["conversions.moment-text"];
-        /// The meaning of the bits of a bit string as a real of the same width.
-        bits_as_real: BitsAsReal = BitsAsReal::Number, ["conversions.bits-as-real"];
-        /// The bits of a bit string or an integer with a sign where the operand is the other, and has fewer bits.
-        ///
-        /// Basis: plcnext-conversions: TO_DWORD, TO_LWORD, TO_DINT, by which they are copied.
-        bits_as_integer: BitsAsInteger = BitsAsInteger::Number, ["conversions.bits-as-integer"];
-        /// The bits of a bit string that decide whether it converts to TRUE.
-        bit_string_as_bool: BitStringAsBool = BitStringAsBool::AnyBit, ["conversions.bit-string-as-bool"];
-        /// The unit in which a number counts a duration, date or time of day.
-        moment_units: MomentUnits = MomentUnits::Seconds, ["conversions.moment-units"];
-    }
+/// Declares the choices of `choices.toml`, which the build script puts into its call.
+macro_rules! conversion_choices {
+    ($($choices:tt)*) => {
+        choices! {
+            /// The choices of a dialect on which a conversion depends besides its types and its operand. By default real numbers become the
+            /// nearest integer, numbers outside wrap, texts are read whole, and values are written as the wire protocol has them.
+            ///
+            /// Basis: iec-60559: Operations (rounding to nearest); forgeiec-conversion-functions: Range and precision, matiec conformance;
+            /// ironplc-type-conversions: Explicit Conversion Functions; rule: not-stated for what is open.
+            #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+            ConversionChoices { $($choices)* }
+        }
+    };
 }
+
+include!(concat!(env!("OUT_DIR"), "/conversion_choices.rs"));
 
 impl ConversionChoices {
     /// Returns the keys of the choices, such as `conversions.rounding`.

@@ -1,12 +1,9 @@
 //! The registry of diagnostic codes.
 //!
-//! The description of each code is a Markdown file, such as `harness/types/codes/P4035.md`; the table lists the codes.
+//! Each code is a Markdown file, such as `harness/types/codes/P4035.md`, whose heading has its number and name.
 //! `harness/types/README.md` explains how to add a code.
 
 mod page;
-mod table;
-
-pub use table::Code;
 
 use crate::diagnostic::Severity;
 use crate::dialect_name::DialectName;
@@ -14,11 +11,51 @@ use page::CodePage;
 use std::fmt;
 use std::str::FromStr;
 use std::sync::LazyLock;
-use table::ENTRIES;
+
+/// Generates the enumeration of the codes and the list of their entries from one line for each code.
+macro_rules! codes {
+    ($($code:ident $name:ident,)*) => {
+        /// A kind of diagnostic, in the order of the codes.
+        ///
+        /// Basis: ironplc-problem-codes, whose numbers, names and meanings these are; codes that begin with `S` are Stickler's own.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum Code {
+            $(
+                #[doc = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/codes/", stringify!($code), ".md"))]
+                $name,
+            )*
+        }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &'static [Code] = &[$(Code::$name,)*];
+        }
+
+        /// The entry of each code, in the order of [`Code::ALL`].
+        const ENTRIES: &[CodeEntry] = &[$(CodeEntry {
+            code: stringify!($code),
+            name: stringify!($name),
+            page: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/codes/", stringify!($code), ".md")),
+        },)*];
+    };
+}
+
+// `codes!` with the numbers and names of all pages.
+include!(concat!(env!("OUT_DIR"), "/codes.rs"));
+
+/// A code by its page.
+struct CodeEntry {
+    /// The number, such as `P4035`.
+    code: &'static str,
+    /// The name, such as `AssignmentTypeMismatch`.
+    name: &'static str,
+    /// The text of the page.
+    page: &'static str,
+}
 
 /// The pages of the codes in the order of [`Code::ALL`].
 static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| {
-    let parse = |entry: &table::CodeEntry| match page::parse(entry.code, entry.name, entry.page) {
+    let parse = |entry: &CodeEntry| match page::parse(entry.code, entry.name, entry.page) {
         Ok(page) => page,
         Err(error) => panic!("harness/types/codes/{}.md: {error}", entry.code),
     };
@@ -137,18 +174,6 @@ mod tests {
         for text in ["", "P", "P9", "P40355", "4035", "AssignmentTypeMismatch"] {
             assert_eq!(text.parse::<Code>(), Err(UnknownCode(text.to_owned())));
         }
-    }
-
-    #[test]
-    fn the_folder_of_the_pages_and_the_table_name_the_same_codes() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/codes");
-        let files = std::fs::read_dir(folder).unwrap();
-        let name =
-            |file: std::io::Result<std::fs::DirEntry>| file.unwrap().file_name().into_string().unwrap();
-        let mut files: Vec<String> = files.map(name).collect();
-        files.sort();
-        let pages: Vec<String> = Code::ALL.iter().map(|code| format!("{code}.md")).collect();
-        assert_eq!(files, pages);
     }
 
     #[test]

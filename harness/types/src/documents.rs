@@ -59,29 +59,21 @@ words! {
 
 choices_of_words! { DocumentedImplicit, DocumentedFunctions, }
 
-choices! {
-    /// What the documents of a system say; by default nothing.
-    #[derive(Clone, PartialEq, Eq, Debug)]
-    Documents {
-        /// The document by which pairs of types convert implicitly.
-        implicit: DocumentedImplicit = DocumentedImplicit::Open, ["documents.implicit"];
-        /// The document that states what conversion functions give.
-        functions: DocumentedFunctions = DocumentedFunctions::InTables, ["documents.functions"];
-        /// They know access to single bits by `.n`.
-        bits: bool = false, ["documents.bits"];
-        /// They know access to single bits by `.%Xn`.
-        partial_access: bool = false, ["documents.partial-access"];
-        /// They say for which bit strings and reals an untyped integer literal stands.
-        untyped_literals: bool = false, ["documents.untyped-literals"];
-        /// They say what an input is that a call leaves out.
-        inputs_left_out: bool = false, ["documents.inputs-left-out"];
-        /// The system has WSTRING.
-        wide_strings: bool = true, ["documents.wide-strings"];
-    } beside {
-        /// The page of the vendor about real numbers, where recordings count for more.
-        page_on_reals: Option<PageOnReals> = None;
-    }
+/// Declares the choices of `choices.toml`, which the build script puts into its call.
+macro_rules! documents {
+    ($($choices:tt)*) => {
+        choices! {
+            /// What the documents of a system say; by default nothing.
+            #[derive(Clone, PartialEq, Eq, Debug)]
+            Documents { $($choices)* } beside {
+                /// The page of the vendor about real numbers, where recordings count for more.
+                page_on_reals: Option<PageOnReals> = None;
+            }
+        }
+    };
 }
+
+include!(concat!(env!("OUT_DIR"), "/documents.rs"));
 
 /// What a vendor's page says of real numbers that become integers or bit strings.
 #[derive(Clone, PartialEq, Eq, Debug)]

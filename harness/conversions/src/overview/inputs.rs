@@ -208,6 +208,7 @@ fn moments(to: ElementaryType) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::boundaries;
+    use crate::overview::rules;
     use stickler_types::DialectName;
 
     #[test]
@@ -218,6 +219,8 @@ mod tests {
                     let calls = boundaries(&signature);
                     assert!((2..=24).contains(&calls.len()), "{function}: {}", calls.len());
                     assert!(calls.iter().all(|call| signature.takes(call)), "{function}");
+                    let rules = rules(&signature, &[dialect]);
+                    assert!(rules.iter().all(|(_, rule, _)| rule.contains(' ')), "{rules:?}");
                     for (index, call) in calls.iter().enumerate() {
                         assert!(!calls[..index].contains(call), "{function}: {call:?} twice");
                     }

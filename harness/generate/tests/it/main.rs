@@ -2,6 +2,7 @@
 
 mod execute;
 mod generator;
+mod mutations;
 mod operands;
 mod telling;
 mod writer;

@@ -7,6 +7,7 @@
 use crate::conversion::real::{of_single, single};
 use crate::instruction::{ArithmeticOperator, FaultKind};
 use crate::raw::narrow;
+use std::ops::{Add, Div, Mul, Rem, Sub};
 use stickler_types::{ElementaryType, Family};
 
 const DAY: i64 = 86_400_000_000_000;
@@ -29,9 +30,9 @@ pub fn arithmetic(
         }
         Family::Signed => signed(operator, left, right).map(|bits| narrow(bits, ty)),
         Family::Real if ty == ElementaryType::Real => {
-            Ok(of_single(on_singles(operator, single(left), single(right))))
+            Ok(of_single(on_reals(operator, single(left), single(right))))
         }
-        Family::Real => Ok(on_doubles(operator, f64::from_bits(left), f64::from_bits(right)).to_bits()),
+        Family::Real => Ok(on_reals(operator, f64::from_bits(left), f64::from_bits(right)).to_bits()),
         Family::Duration | Family::Date | Family::DateAndTime => signed(operator, left, right),
         Family::TimeOfDay => signed(operator, left, right)
             .map(|nanoseconds| nanoseconds.cast_signed().rem_euclid(DAY).cast_unsigned()),
@@ -86,17 +87,10 @@ fn unsigned(operator: ArithmeticOperator, a: u64, b: u64) -> Result<u64, FaultKi
     }
 }
 
-fn on_singles(operator: ArithmeticOperator, a: f32, b: f32) -> f32 {
-    match operator {
-        ArithmeticOperator::Add => a + b,
-        ArithmeticOperator::Subtract => a - b,
-        ArithmeticOperator::Multiply => a * b,
-        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => a / b,
-        ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a % b,
-    }
-}
-
-fn on_doubles(operator: ArithmeticOperator, a: f64, b: f64) -> f64 {
+fn on_reals<R>(operator: ArithmeticOperator, a: R, b: R) -> R
+where
+    R: Add<Output = R> + Sub<Output = R> + Mul<Output = R> + Div<Output = R> + Rem<Output = R>,
+{
     match operator {
         ArithmeticOperator::Add => a + b,
         ArithmeticOperator::Subtract => a - b,

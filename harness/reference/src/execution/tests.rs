@@ -14,7 +14,7 @@ use Instruction::{
     StoreIndirect, StorePart, StoreText, Subscript, Swap,
 };
 use StandardFunction::{Concat, Len, Min, Mux, Ror, Sel};
-use stickler_types::ElementaryType::{self, Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
+use stickler_types::ElementaryType::{self, Int, String};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{BitStringText, MomentText, RealText, SplitMix64};
 
@@ -42,15 +42,6 @@ fn fault(kind: FaultKind, line: u32) -> Stop {
     Stop::Fault(RaisedFault { kind, line })
 }
 
-fn loop_types(of: ElementaryType, limit: ElementaryType) -> LoopTypes {
-    LoopTypes {
-        control: of,
-        limit,
-        step: of,
-        wraps: false,
-    }
-}
-
 /// Reads an instruction as the rows of `tests/machine` write it.
 fn instruction(text: &str) -> Instruction {
     let words: Vec<&str> = text.split_whitespace().collect();
@@ -68,7 +59,12 @@ fn instruction(text: &str) -> Instruction {
         first: small(1) as u8,
         ty: ty(2),
     };
-    let loop_types = || loop_types(ty(1), ty(1));
+    let loop_types = || LoopTypes {
+        control: ty(1),
+        limit: ty(words.len() - 1),
+        step: ty(1),
+        wraps: false,
+    };
     match words[0] {
         "push" => Push(number(1).cast_unsigned()),
         "push-text" => PushText(small(1)),
@@ -112,9 +108,21 @@ fn instruction(text: &str) -> Instruction {
                 MomentText::Literal,
             ),
         }),
+        "convert" => Convert(Conversion {
+            from: ty(1),
+            to: ty(2),
+            rule: ConversionRule::between(ty(1), ty(2), &COMMON_CHOICES).unwrap_or(ConversionRule::ToBcd),
+        }),
+        "scale" => Instruction::ScaleDuration(Divide, ty(1), false),
+        "power" => Instruction::Power {
+            base: ty(1),
+            exponent: ty(2),
+            stops: unsigned,
+        },
         "add" => Arithmetic(Add, ty(1)),
         "subtract" => Arithmetic(Subtract, ty(1)),
         "divide" => Arithmetic(Divide, ty(1)),
+        "modulo" => Arithmetic(Modulo, ty(1)),
         "less" => Compare(ComparisonOperator::Less, ty(1)),
         "less-text" => CompareText(ComparisonOperator::Less),
         "xor" => Logic(LogicOperator::Xor),
@@ -130,6 +138,8 @@ fn instruction(text: &str) -> Instruction {
         "concat" => standard(Concat),
         "len" => standard(Len),
         "min" => standard(Min),
+        "mux" => standard(Mux),
+        "ror" => standard(Ror),
         "sel" => standard(Sel),
         "jump" => Jump(small(1)),
         "jump-if-false" => JumpIfFalse(small(1)),
@@ -206,68 +216,28 @@ fn a_program_without_routines_is_an_error() {
     assert!(is_missing, "{started:?}");
 }
 
+/// Instructions whose operands are chosen: a SMALL number, one of a FEW, ANY number or a TYPE.
+const CHOSEN: &str = "push SMALL; push SMALL; push SMALL; push ANY; push-text FEW; address SMALL; instance-address ANY;
+    subscript -3 ANY ANY; subscript -3 ANY ANY unsigned; load-indirect; store SMALL; store-indirect; load-text; store-text;
+    copy SMALL; replicate SMALL ANY; clear SMALL; store-part ANY TYPE of TYPE; convert TYPE TYPE; add TYPE; divide TYPE;
+    modulo TYPE; scale TYPE; power TYPE TYPE; power TYPE TYPE unsigned; less-text; mux TYPE SMALL FEW; sel TYPE SMALL FEW;
+    concat TYPE SMALL FEW; ror TYPE SMALL FEW; jump SMALL; jump-if-false SMALL; call FEW; loop-step TYPE TYPE";
+
 /// Any instruction at all, with operands that often make sense.
-fn any_instruction(bits: u64) -> Instruction {
-    let small = (bits >> 8) as u32 % 20;
-    let ty = [Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring][(bits >> 16) as usize % 9];
-    let other = [Int, String, Ulint, Bool][(bits >> 24) as usize % 4];
-    let operator = [Add, Divide, Modulo][(bits >> 32) as usize % 3];
-    let function = [Mux, Sel, Concat, Ror][(bits >> 40) as usize % 4];
-    let rule = ConversionRule::between(ty, other, &COMMON_CHOICES).unwrap_or(ConversionRule::ToBcd);
-    match bits as u8 % 28 {
-        0..4 => Push(small.into()),
-        4 => Push(bits),
-        5 => PushText(small % 3),
-        6 => Address(small),
-        7 => InstanceAddress(bits as u32),
-        8 => Subscript {
-            low: -3,
-            high: (bits >> 50) as i64,
-            stride: bits as u32,
-            unsigned: bits > 1 << 63,
-        },
-        9 => LoadIndirect,
-        10 => Store(small),
-        11 => StoreIndirect,
-        12 => LoadText,
-        13 => StoreText,
-        14 => Copy(small),
-        15 => Replicate {
-            stride: small,
-            count: bits as u32,
-        },
-        16 => Clear(small),
-        17 => StorePart {
-            part: Part {
-                first: bits as u8,
-                ty: other,
-            },
-            of: ty,
-        },
-        18 => Convert(Conversion {
-            from: ty,
-            to: other,
-            rule,
-        }),
-        19 => Arithmetic(operator, ty),
-        20 => Instruction::ScaleDuration(operator, ty, false),
-        21 => Instruction::Power {
-            base: ty,
-            exponent: other,
-            stops: bits & 1 == 0,
-        },
-        22 => CompareText(ComparisonOperator::Less),
-        23 => Standard {
-            function,
-            of: ty,
-            count: small as u16,
-            numbers: (bits % 3) as u16,
-        },
-        24 => Jump(small),
-        25 => JumpIfFalse(small),
-        26 => Call(small % 3),
-        _ => LoopStep(loop_types(ty, other)),
-    }
+fn any_instruction(next: &mut impl FnMut() -> u64) -> Instruction {
+    const TYPES: [&str; 9] = [
+        "BOOL", "BYTE", "DINT", "INT", "SINT", "STRING", "UINT", "ULINT", "WSTRING",
+    ];
+    let all: Vec<&str> = CHOSEN.split(';').collect();
+    let words = all[next() as usize % all.len()].split_whitespace();
+    let chosen = words.map(|word| match word {
+        "SMALL" => (next() % 20).to_string(),
+        "FEW" => (next() % 3).to_string(),
+        "ANY" => next().cast_signed().to_string(),
+        "TYPE" => TYPES[next() as usize % TYPES.len()].to_owned(),
+        word => word.to_owned(),
+    });
+    instruction(&chosen.collect::<Vec<_>>().join(" "))
 }
 
 #[test]
@@ -276,7 +246,7 @@ fn no_instruction_panics_whatever_it_finds() {
     let mut next = || numbers.next().unwrap_or_default();
     let mut ended = [0; 3];
     for _ in 0..20_000 {
-        let code: Vec<_> = (0..12).map(|_| any_instruction(next())).collect();
+        let code: Vec<_> = (0..12).map(|_| any_instruction(&mut next)).collect();
         let program = program(&[&code, &code[6..]]);
         let ending = match Machine::new(&program, STEPS).scan() {
             Ok(()) => 0,

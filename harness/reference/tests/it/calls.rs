@@ -166,13 +166,31 @@ fn implicit_value(row: &str, result: &str) -> Result<(), String> {
 }
 
 #[test]
+fn the_implicit_conversion_is_that_of_the_function() {
+    let mut count = 0;
+    for dialect in DialectName::ALL.map(Dialect::of) {
+        for (from, to) in pairs() {
+            let function = function(&format!("{from}_TO_{to}"), dialect);
+            if let Some((function, implicit)) = function.zip(implicit(from, to, dialect)) {
+                assert_eq!(function.conversion(from, to), implicit, "{}", dialect.name);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 1_000, "only {count} pairs");
+}
+
+/// Returns every ordered pair of types.
+fn pairs() -> impl Iterator<Item = (ElementaryType, ElementaryType)> {
+    let all = ElementaryType::ALL.into_iter();
+    all.flat_map(|from| ElementaryType::ALL.map(|to| (from, to)))
+}
+
+#[test]
 fn a_suggested_name_is_a_function_from_and_to_these_types() {
     for name in DialectName::ALL {
         let dialect = Dialect::of(name);
-        for (from, to) in ElementaryType::ALL
-            .into_iter()
-            .flat_map(|from| ElementaryType::ALL.map(|to| (from, to)))
-        {
+        for (from, to) in pairs() {
             if let Some(suggested) = conversion_function_name(from, to, dialect) {
                 assert_eq!(
                     forms(&suggested, dialect),

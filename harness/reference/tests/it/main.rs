@@ -1,10 +1,8 @@
 //! The reference from the outside, in one program: each of its own would be linked once more.
 
 mod calls;
-mod conversion_properties;
 mod dialects;
 mod hostile;
 mod programs;
 mod registry;
 mod requests;
-mod syntax_mutations;

@@ -186,7 +186,10 @@ impl PlacesReader<'_> {
             ],
             Role::Surrounding => &[("statement", &key.statement)],
         };
-        for (name, _) in needed.iter().filter(|(_, text)| text.is_empty()) {
+        let promised = key.promised.0.first().map_or("", |basis| basis.get_ref());
+        let of_all = [("title", &*key.title), ("promised", promised)];
+        let needed = of_all.iter().chain(needed);
+        for (name, _) in needed.filter(|(_, text)| text.is_empty()) {
             let message = format!("a {} needs `{name}`", role.as_str());
             self.wrong(at, path, message);
         }

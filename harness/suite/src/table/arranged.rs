@@ -11,7 +11,7 @@ use crate::condition::Testable;
 use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
-use crate::program::{ProgramTemplate, Remarks};
+use crate::program::ProgramTemplate;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
 use crate::table::probe::{Probe, Target};
@@ -73,12 +73,11 @@ impl<'a> Arranged<'a> {
         let slot = &mut self.probes[index];
         if slot.is_none() {
             let mut reader = KeyReader::new(context, self.composer.testable);
-            let mut remarks = Remarks::default();
             let arrangement = &self.design.arrangements()[index];
-            let composed = self.composer.compose(&mut reader, arrangement, &mut remarks);
+            let composed = self.composer.compose(&mut reader, arrangement);
             let placement = context.places.placement(arrangement);
             *slot = composed.map(|(program, observe)| like.placed(program, observe, placement));
-            harvest.remarks.append(&mut remarks.0);
+            harvest.remarks.append(&mut reader.remarks);
             // The mistakes of different combinations are mostly the same one.
             reader
                 .mistakes
@@ -112,7 +111,6 @@ pub(super) fn read<'k>(
     file: &'k TableFile,
     key: &'k ProbeKey,
     places: &'k Spanned<PlacesKey>,
-    remarks: &mut Remarks,
 ) -> Option<(Probe<'k>, Arranged<'k>)> {
     if let Some(target) = key.observe.iter().flat_map(|observe| &observe.0).next() {
         let message = "`observe` belongs to a probe with `source`; a target says where its value is";
@@ -125,7 +123,7 @@ pub(super) fn read<'k>(
         testable: reader.testable,
         wording: wording(places.get_ref(), file.matrix.is_some()),
     };
-    let (program, observe) = composer.compose(reader, design.arrangements().first()?, remarks)?;
+    let (program, observe) = composer.compose(reader, design.arrangements().first()?)?;
     let probe = reader.with_program(file, key, program, vec![observe])?;
     let arranged = Arranged {
         from: reader.text(places, composer.wording.from, KEY)?,
@@ -218,7 +216,6 @@ impl Composer<'_> {
         &self,
         reader: &mut KeyReader<'_, '_>,
         arrangement: &Arrangement,
-        remarks: &mut Remarks,
     ) -> Option<(ProgramTemplate, Target)> {
         let context = reader.context;
         let composed = compose(context.places, arrangement, &self.wording);
@@ -226,7 +223,7 @@ impl Composer<'_> {
             first: context.lines.of(self.places),
             line_by_line: false,
         };
-        let program = reader.program(&composed.source, at, KEY, remarks)?;
+        let program = reader.program(&composed.source, at, KEY)?;
         let ty = match self.is_matrix {
             true => None,
             false => Some(reader.text(self.places, self.wording.to, KEY)?),

@@ -8,7 +8,7 @@ use stickler_exact::{ImplicitResult, implicit_result};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 use crate::assemble::Assembler;
-use crate::assembly::TypeNames;
+use crate::assembly::{elementary_name, type_name};
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::defined::converted;
@@ -125,8 +125,7 @@ impl CaseGroup<'_, '_> {
         &self,
         input: Option<&RowInput>,
         texts: &[&str],
-        names: &TypeNames,
-        assembler: &mut Assembler<'_>,
+        assembler: &mut Assembler,
     ) -> Result<(), String> {
         if self.rejected || self.probe.program.faults(self.active) {
             return Ok(());
@@ -137,8 +136,8 @@ impl CaseGroup<'_, '_> {
         }
         for target in &self.probe.observe {
             match open {
-                true => self.record(target, input, texts, names, assembler),
-                false => self.assert(target, input, texts, names, assembler)?,
+                true => self.record(target, input, texts, assembler),
+                false => self.assert(target, input, texts, assembler)?,
             }
         }
         Ok(())
@@ -150,8 +149,7 @@ impl CaseGroup<'_, '_> {
         target: &Target,
         input: Option<&RowInput>,
         texts: &[&str],
-        names: &TypeNames,
-        assembler: &mut Assembler<'_>,
+        assembler: &mut Assembler,
     ) -> Result<(), String> {
         let cell = self.cell;
         let Some(input) = input.filter(|_| self.probe.takes_values()) else {
@@ -173,7 +171,7 @@ impl CaseGroup<'_, '_> {
         let column = own.as_deref().unwrap_or(&cell.column.name);
         match result {
             Some(ImplicitResult::Exactly(value)) => assembler.value(name, value, cell.line),
-            Some(ImplicitResult::Open) => self.observe(name, own, names, assembler),
+            Some(ImplicitResult::Open) => self.observe(name, own, assembler),
             None => {
                 let row = &cell.row.name;
                 return Err(format!(
@@ -185,33 +183,20 @@ impl CaseGroup<'_, '_> {
     }
 
     /// Records the value of `target` without asserting it.
-    fn record(
-        &self,
-        target: &Target,
-        input: Option<&RowInput>,
-        texts: &[&str],
-        names: &TypeNames,
-        assembler: &mut Assembler<'_>,
-    ) {
+    fn record(&self, target: &Target, input: Option<&RowInput>, texts: &[&str], assembler: &mut Assembler) {
         let (name, own) = self.name_and_type(target, texts);
         match input.and_then(|input| self.below(input, own.as_deref())) {
             Some(below) => {
                 for (path, value) in below {
-                    assembler.observe(format!("{name}{path}").into(), names.of(value));
+                    assembler.observe(format!("{name}{path}").into(), type_name(value));
                 }
             }
-            None => self.observe(name, own, names, assembler),
+            None => self.observe(name, own, assembler),
         }
     }
 
     /// Records a variable, if its type has values that can be observed.
-    fn observe(
-        &self,
-        name: Arc<str>,
-        own: Option<Arc<str>>,
-        names: &TypeNames,
-        assembler: &mut Assembler<'_>,
-    ) {
+    fn observe(&self, name: Arc<str>, own: Option<Arc<str>>, assembler: &mut Assembler) {
         let column = self.cell.column;
         let enumeration = || {
             column
@@ -220,9 +205,9 @@ impl CaseGroup<'_, '_> {
                 .is_some_and(|input| input.value.is_some())
         };
         let ty = match own {
-            Some(own) => Some(ElementaryType::declared(&own).map_or(own, |ty| names.elementary(ty))),
+            Some(own) => Some(ElementaryType::declared(&own).map_or(own, elementary_name)),
             None => match column.base {
-                Some(ty) => Some(names.elementary(ty)),
+                Some(ty) => Some(elementary_name(ty)),
                 None => enumeration().then(|| Arc::clone(&column.name)),
             },
         };

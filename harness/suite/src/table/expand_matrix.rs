@@ -13,15 +13,14 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::Harvest;
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::model::MatrixCell;
-use crate::program::Remarks;
 use crate::table::cell::{
     ABOVE, BELOW, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE,
     declarations, one_of,
 };
-use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
+use crate::table::expansion::{CaseMaker, TableExpansion};
 use crate::table::inputs;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::MatrixKey;
@@ -42,14 +41,12 @@ pub(crate) fn expand(
     key: &MatrixKey,
     testable: Testable<'_>,
     harvest: &mut Harvest,
-    remarks: &mut Remarks,
 ) {
-    let mistakes = &mut harvest.mistakes;
-    let declared = types::declared(&table.file.types, table.context, mistakes);
-    let mut probes = probes::read(table.file, table.context, testable, mistakes, remarks);
+    let declared = types::declared(&table.file.types, table.context, &mut harvest.mistakes);
+    let mut probes = probes::read(table.file, table.context, testable, harvest);
     let mut reader = KeyReader::new(table.context, testable);
     let sections = section::read(&mut reader, table, key);
-    mistakes.append(&mut reader.mistakes);
+    harvest.mistakes.append(&mut reader.mistakes);
     let mut expander = MatrixExpander(CaseMaker::new(table, harvest));
     expander.check_keys(&mut probes);
     let mut counts = vec![0; probes.len()];
@@ -348,15 +345,16 @@ impl MatrixExpander<'_, '_> {
             }
             None => self.0.title(probe, section.title.as_ref(), &texts),
         };
-        let parts = CaseParts {
+        let group = DialectGroup {
             id: self.id(of, value_in_id.then_some(texts[VALUE])),
             line: cell.line,
             title,
             basis: cell.basis.clone(),
             assembly,
             cell: Some(&cell.place),
+            ..DialectGroup::default()
         };
-        self.0.add(probe, &texts, parts, of.dialects)
+        self.0.add(probe, &texts, group, of.dialects)
     }
 
     fn assemble(
@@ -368,9 +366,8 @@ impl MatrixExpander<'_, '_> {
         let CaseGroup {
             probe, cell, active, ..
         } = of;
-        let names = self.0.table.context.type_names;
-        let targets = |assembler: &mut Assembler<'_>| {
-            let targets = of.targets(input, texts, names, assembler);
+        let targets = |assembler: &mut Assembler| {
+            let targets = of.targets(input, texts, assembler);
             targets.map_err(|message| Mistake::new(probe.line, message).key("probe.observe"))
         };
         let hint = || format!("in the cell {} to {}", cell.row.name, cell.column.name);

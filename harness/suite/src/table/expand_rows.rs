@@ -10,11 +10,10 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::Harvest;
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::mark::MarkWord;
-use crate::program::Remarks;
-use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
+use crate::table::expansion::{CaseMaker, TableExpansion};
 use crate::table::keys::TableRow;
 use crate::table::neighbours::{self, BESIDE};
 use crate::table::probe::Probe;
@@ -64,19 +63,8 @@ impl Expect {
 }
 
 /// Expands the rows of a file.
-pub(crate) fn expand(
-    table: &TableExpansion<'_>,
-    testable: Testable<'_>,
-    harvest: &mut Harvest,
-    remarks: &mut Remarks,
-) {
-    let mut probes = probes::read(
-        table.file,
-        table.context,
-        testable,
-        &mut harvest.mistakes,
-        remarks,
-    );
+pub(crate) fn expand(table: &TableExpansion<'_>, testable: Testable<'_>, harvest: &mut Harvest) {
+    let mut probes = probes::read(table.file, table.context, testable, harvest);
     let Some(dialects) = table.dialects.clone().filter(|dialects| !dialects.is_empty()) else {
         let mistake = Mistake::new(1, "the file has no dialects").key("dialects");
         return harvest.mistakes.push(mistake);
@@ -291,7 +279,7 @@ impl RowExpander<'_, '_> {
             Expect::Fault if !faults => return Err(here("`fault` is expected, but no `fault` mark applies")),
             _ => {}
         }
-        let targets = |assembler: &mut Assembler<'_>| match rejected || faults {
+        let targets = |assembler: &mut Assembler| match rejected || faults {
             true => Ok(()),
             false => targets(probe, texts, line, expect, assembler),
         };
@@ -314,15 +302,15 @@ impl RowExpander<'_, '_> {
             Some(title) => title.into(),
             None => self.maker.title(probe, None, texts),
         };
-        let parts = CaseParts {
+        let group = DialectGroup {
             id: self.id(probe, texts).into(),
             line,
             title,
             basis,
             assembly,
-            cell: None,
+            ..DialectGroup::default()
         };
-        self.maker.add(probe, texts, parts, members)
+        self.maker.add(probe, texts, group, members)
     }
 
     /// Returns the id of the case: it names those cells of the row that the program uses outside its marks.
@@ -362,7 +350,7 @@ fn targets(
     texts: &[&str],
     line: u32,
     expect: &Expect,
-    assembler: &mut Assembler<'_>,
+    assembler: &mut Assembler,
 ) -> Result<(), Mistake> {
     let mut scratch = String::new();
     if matches!(expect, Expect::Open) {

@@ -9,7 +9,6 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::error::Mistake;
 use crate::frame::{DialectGroup, FileContext, Harvest};
-use crate::model::MatrixCell;
 use crate::table::budget::Budget;
 use crate::table::keys::TableFile;
 use crate::table::probe::Probe;
@@ -36,16 +35,6 @@ pub(super) struct CaseMaker<'a, 'h> {
     pub(super) harvest: &'h mut Harvest,
     pub(super) scratch: String,
     budget: Budget,
-}
-
-/// The statement of a cell or a row about its cases in one group of dialects.
-pub(super) struct CaseParts<'p> {
-    pub(super) id: Arc<str>,
-    pub(super) line: u32,
-    pub(super) title: Arc<str>,
-    pub(super) basis: Option<WrittenBasis>,
-    pub(super) assembly: Assembly,
-    pub(super) cell: Option<&'p Arc<MatrixCell>>,
 }
 
 impl<'a, 'h> CaseMaker<'a, 'h> {
@@ -97,7 +86,7 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
         probe: &Probe<'_>,
         active: &[usize],
         (texts, line): (&[&str], u32),
-        targets: impl FnOnce(&mut Assembler<'_>) -> Result<(), Mistake>,
+        targets: impl FnOnce(&mut Assembler) -> Result<(), Mistake>,
         hint: impl FnOnce() -> String,
     ) -> Result<Assembly, Mistake> {
         let program = &probe.program;
@@ -108,7 +97,7 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
             );
             return Err(Mistake::new(line, message).hint("write `($2A` and `*$29`"));
         }
-        let mut assembler = Assembler::new(self.table.context.type_names);
+        let mut assembler = Assembler::default();
         let applied = program.apply(active, texts, &mut assembler);
         targets(&mut assembler)?;
         let assembly = applied
@@ -121,7 +110,7 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
         })
     }
 
-    /// Adds a case in each of these dialects.
+    /// Adds a case in each of these dialects, with the program, the question and the placement of the probe.
     ///
     /// # Errors
     /// A mistake, if the programs are too long together, or the text of the question is none.
@@ -129,23 +118,18 @@ impl<'a, 'h> CaseMaker<'a, 'h> {
         &mut self,
         probe: &Probe<'_>,
         texts: &[&str],
-        parts: CaseParts<'_>,
+        group: DialectGroup<'_>,
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
-        let line = parts.line;
+        let line = group.line;
         let source = probe.program.fill(&mut self.scratch, texts);
         let fits = self.budget.program(source.len());
         fits.map_err(|message| Mistake::new(line, message))?;
         let group = DialectGroup {
-            id: parts.id,
-            title: parts.title,
-            basis: parts.basis,
-            line,
             source,
-            assembly: parts.assembly,
             question: probe.question(&mut self.scratch, texts, line)?,
-            cell: parts.cell,
             placement: probe.placement.as_ref(),
+            ..group
         };
         self.harvest
             .add(self.table.context, &probe.frame, &group, dialects);

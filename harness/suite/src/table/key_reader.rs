@@ -15,6 +15,8 @@ pub(super) struct KeyReader<'a, 'c> {
     /// The placeholders of the file, and which of them conditions may test.
     pub(super) testable: Testable<'a>,
     pub(super) mistakes: Vec<Mistake>,
+    /// The warnings about programs that can be used.
+    pub(super) remarks: Vec<Mistake>,
 }
 
 impl<'a, 'c> KeyReader<'a, 'c> {
@@ -23,6 +25,7 @@ impl<'a, 'c> KeyReader<'a, 'c> {
             context,
             testable,
             mistakes: Vec::new(),
+            remarks: Vec::new(),
         }
     }
 

@@ -14,7 +14,7 @@ use crate::mark::{Known, MarkClaim};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::places::Placement;
-use crate::program::{ProgramTemplate, Remarks};
+use crate::program::ProgramTemplate;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
@@ -58,12 +58,11 @@ impl<'a> KeyReader<'a, '_> {
         file: &TableFile,
         key: &'a ProbeKey,
         source: &Spanned<String>,
-        remarks: &mut Remarks,
     ) -> Option<Probe<'a>> {
         let observe = key.observe.iter().flat_map(|observe| &observe.0);
         let observe = observe.filter_map(|target| self.target(target)).collect();
         let place = TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
-        let program = self.program(source.get_ref(), place, "probe.source", remarks)?;
+        let program = self.program(source.get_ref(), place, "probe.source")?;
         self.with_program(file, key, program, observe)
     }
 
@@ -104,19 +103,13 @@ impl<'a> KeyReader<'a, '_> {
     }
 
     /// Reads the program of a probe, which stands at `place` of the file under a key.
-    pub(super) fn program(
-        &mut self,
-        source: &str,
-        place: TextPlace,
-        key: &str,
-        remarks: &mut Remarks,
-    ) -> Option<ProgramTemplate> {
+    pub(super) fn program(&mut self, source: &str, place: TextPlace, key: &str) -> Option<ProgramTemplate> {
         let reader = MarkReader {
             dialects: self.context.dialects,
             testable: self.testable,
             is_template: true,
         };
-        let program = ProgramTemplate::read(source, 0, place, &reader, remarks);
+        let program = ProgramTemplate::read(source, 0, place, &reader, &mut self.remarks);
         let keyed = |mistake: Mistake| mistake.key(key);
         program
             .map_err(|mistakes| self.mistakes.extend(mistakes.into_iter().map(keyed)))

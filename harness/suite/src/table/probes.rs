@@ -9,7 +9,6 @@ use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::places::Places;
-use crate::program::Remarks;
 use crate::table::arranged::{self, Arranged};
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::{ProbeKey, TableFile};
@@ -79,17 +78,17 @@ pub(crate) fn read<'a>(
     file: &'a TableFile,
     context: &FileContext<'_>,
     testable: Testable<'a>,
-    mistakes: &mut Vec<Mistake>,
-    remarks: &mut Remarks,
+    harvest: &mut Harvest,
 ) -> Vec<ProbePrograms<'a>> {
     if file.probe.is_empty() {
-        mistakes.push(Mistake::new(1, "the table has no [[probe]]").key("probe"));
+        let mistake = Mistake::new(1, "the table has no [[probe]]");
+        harvest.mistakes.push(mistake.key("probe"));
     }
     let mut probes: Vec<ProbePrograms<'a>> = Vec::new();
     let mut names = FxHashSet::default();
     for key in &file.probe {
         let mut reader = KeyReader::new(context, testable);
-        let read = one(&mut reader, file, key.get_ref(), remarks);
+        let read = one(&mut reader, file, key.get_ref());
         if let Some(read) = read.filter(|_| reader.mistakes.is_empty()) {
             if !names.insert(read.probe.name.clone()) {
                 let message = format!("there are two probes `{}`", read.probe.name);
@@ -99,7 +98,8 @@ pub(crate) fn read<'a>(
                 probes.push(read);
             }
         }
-        mistakes.append(&mut reader.mistakes);
+        harvest.mistakes.append(&mut reader.mistakes);
+        harvest.remarks.append(&mut reader.remarks);
     }
     probes
 }
@@ -108,18 +108,17 @@ fn one<'a>(
     reader: &mut KeyReader<'a, '_>,
     file: &'a TableFile,
     key: &'a ProbeKey,
-    remarks: &mut Remarks,
 ) -> Option<ProbePrograms<'a>> {
     match (&key.source, &key.places) {
         (Some(source), None) => {
-            let probe = reader.written_out(file, key, source, remarks)?;
+            let probe = reader.written_out(file, key, source)?;
             Some(ProbePrograms {
                 probe,
                 arranged: None,
             })
         }
         (None, Some(places)) => {
-            let (probe, arranged) = arranged::read(reader, file, key, places, remarks)?;
+            let (probe, arranged) = arranged::read(reader, file, key, places)?;
             let arranged = Some(arranged);
             Some(ProbePrograms { probe, arranged })
         }

@@ -3,7 +3,6 @@
 use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
-use crate::program::Remarks;
 use crate::table::expansion::TableExpansion;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::TableFile;
@@ -76,12 +75,10 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
         title,
         basis,
     };
-    let mut remarks = Remarks::default();
     match &file.matrix {
-        Some(matrix) => expand_matrix::expand(&table, matrix, testable, harvest, &mut remarks),
-        None => expand_rows::expand(&table, testable, harvest, &mut remarks),
+        Some(matrix) => expand_matrix::expand(&table, matrix, testable, harvest),
+        None => expand_rows::expand(&table, testable, harvest),
     }
-    harvest.remarks.append(&mut remarks.0);
 }
 
 #[cfg(test)]
@@ -89,7 +86,6 @@ mod tests {
     use super::*;
     use std::cell::RefCell;
 
-    use crate::assembly::TypeNames;
     use crate::dialects::Dialects;
     use crate::place::Lines;
     use crate::table::Budget;
@@ -106,7 +102,6 @@ mod tests {
             named: RefCell::default(),
             sources: None,
             places: &crate::places::Places::default(),
-            type_names: &TypeNames::default(),
             budget,
         })
     }

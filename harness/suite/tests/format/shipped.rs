@@ -9,18 +9,8 @@ use stickler_types::{Dialect, DialectName, Question};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
 /// Basis: iec-61131-3: second edition, Annex C.
-const KEYWORDS: [&str; 10] = [
-    "ACTION",
-    "END_ACTION",
-    "END_STEP",
-    "END_TRANSITION",
-    "FROM",
-    "INITIAL_STEP",
-    "READ_ONLY",
-    "READ_WRITE",
-    "STEP",
-    "TRANSITION",
-];
+const KEYWORDS: &str =
+    "ACTION END_ACTION END_STEP END_TRANSITION FROM INITIAL_STEP READ_ONLY READ_WRITE STEP TRANSITION";
 
 /// The standard functions whose names a program could also give to something of its own.
 /// Basis: iec-61131-3: third edition, Tables 28 to 36.
@@ -52,7 +42,7 @@ fn no_program_that_must_be_accepted_has_a_keyword_for_a_name() {
     for case in accepted.filter(|case| seen.insert(&case.source)) {
         if words(&case.source)
             .iter()
-            .any(|(word, _)| KEYWORDS.contains(&word.as_str()))
+            .any(|(word, _)| KEYWORDS.split(' ').any(|keyword| keyword == word))
         {
             files.insert(&*case.file);
         }
@@ -219,25 +209,10 @@ fn the_shipped_rejections_cover_the_places() {
             Some((&*placed.source, &*placed.target))
         });
         // A global variable stands in a program, and the parameters of a block in the block.
-        let sources = [
-            "variable",
-            "parentheses",
-            "array-element",
-            "field",
-            "path",
-            "function-result",
-            "block-output",
-        ];
-        for target in [
-            "assignment",
-            "array-element",
-            "field",
-            "path",
-            "argument",
-            "block-input",
-            "external",
-        ] {
-            for source in sources {
+        let sources = "variable parentheses array-element field path function-result block-output";
+        let targets = "assignment array-element field path argument block-input external";
+        for target in targets.split(' ') {
+            for source in sources.split(' ') {
                 assert!(
                     together.contains(&(source, target)),
                     "{source} into {target} of {dialect}"
@@ -248,18 +223,8 @@ fn the_shipped_rejections_cover_the_places() {
             let placed = case.placement.as_ref()?;
             Some((&*placed.target, &*placed.surrounding))
         });
-        for surrounding in [
-            "program",
-            "function",
-            "function-block",
-            "if",
-            "elsif",
-            "else",
-            "case",
-            "for",
-            "while",
-            "repeat",
-        ] {
+        let surroundings = "program function function-block if elsif else case for while repeat";
+        for surrounding in surroundings.split(' ') {
             for target in ["assignment", "array-element", "field", "argument"] {
                 assert!(
                     around.contains(&(target, surrounding)),

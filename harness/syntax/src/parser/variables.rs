@@ -71,12 +71,13 @@ impl<'s> Parser<'s, '_> {
         loop {
             let allowed = match self.kind() {
                 TokenKind::Constant => {
-                    constant = true;
-                    matches!(section, Local | Instance | Static | External | Global)
+                    let is_new = !std::mem::replace(&mut constant, true);
+                    is_new && matches!(section, Local | Instance | Static | External | Global)
                 }
                 TokenKind::Retain | TokenKind::NonRetain => {
+                    let is_new = retention.is_none_or(|known: &str| known.eq_ignore_ascii_case("PERSISTENT"));
                     retention = retention.or(Some(self.word()));
-                    matches!(section, Local | Instance | Static | Input | Output | Global)
+                    is_new && matches!(section, Local | Instance | Static | Input | Output | Global)
                 }
                 TokenKind::Name if self.names_a_variable() => return (access, constant, retention),
                 TokenKind::Name if self.at_word("PERSISTENT") => {
