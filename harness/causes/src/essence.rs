@@ -4,16 +4,16 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::alone::{calculated, is_loop_alone};
+use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine, STRUCTURED};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
-use crate::program::{Program, ReadProgram, read};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
@@ -69,8 +69,9 @@ impl Essence {
             Symptom::Value | Symptom::Missing => true,
             _ => divides_wrongly(&line, sign),
         };
-        let is_beyond = has_literal_beyond_type(smallest);
-        let is_unchecked = normal.is_unchecked() && !is_beyond;
+        let is_beyond = sign.symptom == Symptom::NotRejected(Code::ConstantOverflow.as_str().to_owned())
+            && has_literal_beyond_type(&read);
+        let is_unchecked = normal.is_unchecked() && !is_beyond && !line.passes_structured();
         let by_chance = if smallest.flaky.is_some() {
             "by chance: "
         } else {
@@ -94,7 +95,7 @@ impl Essence {
                 words(["typed literal beyond its type"]),
                 false,
             ),
-            None => needs(&line, sign, smallest, normal),
+            None => needs(&line, sign, smallest, (normal, is_unchecked)),
         };
         features.extend(is_unchecked.then(|| UNCHECKED.to_owned()));
         // Every program has statements.
@@ -153,12 +154,11 @@ fn needs(
     line: &ProgramAndLine<'_, '_>,
     sign: &Sign,
     smallest: &Smallest,
-    normal: &Normal,
+    (normal, is_unchecked): (&Normal, bool),
 ) -> (String, BTreeSet<String>, bool) {
     let symptom = sign.word();
     match &sign.symptom {
         Symptom::NotRejected(code) => {
-            let is_unchecked = normal.is_unchecked();
             let features = of_accepted(line, code, is_unchecked);
             // A place alone is in every program.
             let names_construct = !features
@@ -319,6 +319,13 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
             Some(rejection(line, reported, &sign.at))
         }
+        // Where no types are checked, those of arrays and structures are not.
+        Symptom::NotRejected(_) if line.passes_structured() => {
+            let mut features = line.of_mistake(true);
+            features.remove(STRUCTURED);
+            features.insert(UNCHECKED.to_owned());
+            Some((ACCEPTED.to_owned(), features))
+        }
         // What is reported elsewhere may be said of a program without the mistake too.
         Symptom::OtherLine(_) => {
             let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
@@ -350,18 +357,10 @@ fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     }
 }
 
-/// Returns whether a program is accepted although it has a literal whose own type does not hold it, such as `SINT#128`, and what it is
-/// given to does.
-fn has_literal_beyond_type(smallest: &Smallest) -> bool {
-    let is_of_constant = |code: &str| code == Code::ConstantOverflow.as_str();
-    matches!(&smallest.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_constant(code))
-        && read(&smallest.program, |program| {
-            let mut literals = program.literals();
-            literals.any(|(part, literal)| {
-                let target = program.target(part).or_else(|| calculated(program, part));
-                is_beyond_type(literal, target)
-            })
-        })
+/// Returns whether a program has a literal whose own type does not hold it, such as `SINT#128`.
+fn has_literal_beyond_type(program: &ReadProgram<'_, '_>) -> bool {
+    let mut literals = program.literals();
+    literals.any(|(_, literal)| is_beyond_type(literal))
 }
 
 fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {

@@ -63,11 +63,9 @@ impl GrowingCause {
         let is_as_small = normal.program.len() <= smallest.program.len();
         let is_unchecked = smallest.deviation.sign.accepts() && normal.is_unchecked() && is_as_small;
         // The same mistake shows best where nothing else is done.
-        let number = |program: &str| operations(program).len();
         let is_plainer = smallest.deviation.sign.accepts()
             && normal.deviation.sign == smallest.deviation.sign
-            && is_as_small
-            && number(&normal.program) < number(&smallest.program);
+            && is_as_small;
         let is_other_form = is_plainer || normal.has_variables;
         let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),

@@ -20,6 +20,7 @@
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
 //! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
 //! | `conversion` | a number becomes one of another type as an initial value or an output argument |
+//! | `array or structure` | the line gives or takes a whole one, for a mistake that is accepted |
 //! | `AT` | a located variable, for a mistake that is accepted |
 //! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
@@ -51,6 +52,11 @@ pub(crate) const IN_STATEMENTS: &str = "statement";
 pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEMENTS];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
+
+/// The feature of something not implemented with an instance.
+const INSTANCE: &str = "instance of a function block";
+/// The feature of a mistake with a whole array or structure.
+pub(crate) const STRUCTURED: &str = "array or structure";
 
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
@@ -145,7 +151,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
             // Where a literal stands is told by the diagnostic code, if it matters at all.
-            features.insert(match is_untyped && !is_unchecked {
+            features.insert(match is_untyped && !is_unchecked && !self.passes_structured() {
                 true => LITERAL.to_owned(),
                 false => self.place().to_owned(),
             });
@@ -157,7 +163,17 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         };
         let located = words(self.text()).into_iter().find(is_located);
         features.extend(located.map(|_| "AT".to_owned()));
+        features.extend(self.passes_structured().then(|| STRUCTURED.to_owned()));
         features
+    }
+
+    /// Returns whether the line gives or takes a whole array or structure, whose types compilers compare apart from elementary ones.
+    pub(crate) fn passes_structured(&self) -> bool {
+        let names = self.program.parts.iter().filter(|part| {
+            !matches!(part.place, Place::Base | Place::Callee) && self.is_on_line(part.expression.span)
+        });
+        let mut kinds = names.filter_map(|part| self.variable_kind(part.name()?));
+        kinds.any(|kind| kind != INSTANCE)
     }
 
     /// Returns the forms of the literals of the line that matters, where these are no plain numbers: of a
@@ -236,7 +252,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns the kind of a variable, unless that is a plain one.
     fn variable_kind(&self, name: &str) -> Option<&'static str> {
         if self.program.is_instance(name) {
-            return Some("instance of a function block");
+            return Some(INSTANCE);
         }
         let declared = &self.program.group(name)?.specification.kind;
         let own = match declared {
