@@ -185,6 +185,10 @@ fn needs(
         {
             (rejected(reason, ""), line.standard_calls(), true)
         }
+        // What a compiler says of itself that it does not do is done there, whatever needs it.
+        Symptom::Rejected(reason) if says_unsupported(reason) => {
+            (rejected(reason, ""), BTreeSet::new(), false)
+        }
         // A variable that is not known is so whatever is done with it.
         Symptom::Rejected(reason)
             if says(&normal.deviation.got, Code::VariableUndefined)
@@ -371,6 +375,11 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
 fn says(got: &[Fact], code: Code) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
     codes.any(|said| said == code)
+}
+
+/// Returns whether the words of a rejection say what the compiler does not support.
+fn says_unsupported(reason: &str) -> bool {
+    (reason.contains("unsupported ") || reason.contains("not supported")) && reason.split(' ').count() > 2
 }
 
 /// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large is
