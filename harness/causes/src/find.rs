@@ -291,6 +291,8 @@ impl Asking<'_> {
                     progress(u64::from(!smaller.is_open));
                     match smaller.distance() <= found[*at].distance() {
                         true => found[*at] = smaller,
+                        // What was not asked to its end may show another cause.
+                        false if (self.stop)() => found[*at].end_partly(),
                         false => found[*at].is_open = false,
                     }
                 }

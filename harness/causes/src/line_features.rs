@@ -510,7 +510,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         }
         let literals = self.suspect_literals(|_| true);
         // A text with an escape is read in one way wherever it stands.
-        let is_escaped = literals.contains("escape in a text");
+        let is_escaped = literals.iter().any(|literal| literal.starts_with("escape "));
         let declarations = words_of(&self.works, Role::Declaration);
         if operations.is_empty() && !is_escaped {
             features.insert(if begins { "initial value" } else { "assigned value" }.to_owned());
