@@ -7,7 +7,7 @@
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine, STRUCTURED};
+use crate::line_features::{DERIVED, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
@@ -71,7 +71,7 @@ impl Essence {
         };
         let is_beyond = sign.symptom == Symptom::NotRejected(Code::ConstantOverflow.as_str().to_owned())
             && has_literal_beyond_type(&read);
-        let is_unchecked = normal.is_unchecked() && !is_beyond && !line.passes_structured();
+        let is_unchecked = normal.is_unchecked() && !is_beyond && !line.passes_derived();
         let by_chance = if smallest.flaky.is_some() {
             "by chance: "
         } else {
@@ -323,10 +323,10 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
             Some(rejection(line, reported, &sign.at))
         }
-        // Where no types are checked, those of arrays and structures are not.
-        Symptom::NotRejected(_) if line.passes_structured() => {
+        // Where no types are checked, derived ones are not.
+        Symptom::NotRejected(_) if line.passes_derived() => {
             let mut features = line.of_mistake(true);
-            features.remove(STRUCTURED);
+            features.remove(DERIVED);
             features.insert(UNCHECKED.to_owned());
             Some((ACCEPTED.to_owned(), features))
         }

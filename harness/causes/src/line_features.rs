@@ -14,13 +14,14 @@
 //! | `parameter of a standard function`, `partial access` | what the line calls or selects |
 //! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
-//! | `array`, `array of structures`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
+//! | `array`, `array of structures`, `structure`, `enumeration`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
+//! | `signed`, `real` | the families of the types between which a value is not converted, where nothing is computed |
 //! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
 //! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
 //! | `conversion` | a number becomes one of another type as an initial value or an output argument |
-//! | `array or structure` | the line gives or takes a whole one, for a mistake that is accepted |
+//! | `derived type` | the line gives or takes a whole array, a structure or an enumeration, for a mistake that is accepted |
 //! | `AT` | a located variable, for a mistake that is accepted |
 //! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
@@ -55,8 +56,8 @@ pub(crate) const LITERAL: &str = "untyped literal";
 
 /// The feature of something not implemented with an instance.
 const INSTANCE: &str = "instance of a function block";
-/// The feature of a mistake with a whole array or structure.
-pub(crate) const STRUCTURED: &str = "array or structure";
+/// The feature of a mistake with a whole array, a structure or an enumeration.
+pub(crate) const DERIVED: &str = "derived type";
 
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
@@ -151,7 +152,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
             // Where a literal stands is told by the diagnostic code, if it matters at all.
-            features.insert(match is_untyped && !is_unchecked && !self.passes_structured() {
+            features.insert(match is_untyped && !is_unchecked && !self.passes_derived() {
                 true => LITERAL.to_owned(),
                 false => self.place().to_owned(),
             });
@@ -163,12 +164,12 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         };
         let located = words(self.text()).into_iter().find(is_located);
         features.extend(located.map(|_| "AT".to_owned()));
-        features.extend(self.passes_structured().then(|| STRUCTURED.to_owned()));
+        features.extend(self.passes_derived().then(|| DERIVED.to_owned()));
         features
     }
 
-    /// Returns whether the line gives or takes a whole array or structure, whose types compilers compare apart from elementary ones.
-    pub(crate) fn passes_structured(&self) -> bool {
+    /// Returns whether the line gives or takes a value of a derived type, which compilers compare apart from elementary ones.
+    pub(crate) fn passes_derived(&self) -> bool {
         let names = self.program.parts.iter().filter(|part| {
             !matches!(part.place, Place::Base | Place::Callee) && self.is_on_line(part.expression.span)
         });
@@ -265,6 +266,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 false => "array",
             }),
             TypeSpecificationKind::Structure(_) => Some("structure"),
+            TypeSpecificationKind::Enumeration { .. } => Some("enumeration"),
             _ => None,
         }
     }
@@ -339,6 +341,14 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         features.extend(literals);
         if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());
+        }
+        // Which families a compiler converts without a function is told in the types of the normal form.
+        let families: BTreeSet<_> = valued_types(self.program.text)
+            .iter()
+            .map(|ty| ty.family())
+            .collect();
+        if !self.is_unread && families.len() > 1 && features.iter().eq([IN_STATEMENTS]) {
+            features.extend(families.iter().map(|family| format!("{family:?}").to_lowercase()));
         }
         if !self.is_unread {
             features.extend(words_of(&self.works, Role::Declaration));

@@ -9,7 +9,7 @@ mod other_forms;
 
 pub(crate) use other_forms::NUMBERS_PLACELESS;
 
-use crate::alone::{alone, is_beginning_block, shows};
+use crate::alone::{alone, is_beginning_block, is_loop_alone, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
@@ -115,8 +115,8 @@ pub(crate) fn normal_form(
         stop,
         normal: Normal::unasked(smallest),
     };
-    // A long program has no page, and each form of it takes long to write and to ask about.
-    if smallest.flaky.is_some() || smallest.program.len() > LONG {
+    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone has no plainer form.
+    if smallest.flaky.is_some() || smallest.program.len() > LONG || is_loop_alone(&smallest.program) {
         return Ok(search.normal);
     }
     let symptom = smallest.deviation.sign.symptom.clone();
