@@ -16,7 +16,6 @@
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
 //! | `array`, `array of structures`, `structure`, `enumeration`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
-//! | `signed`, `real` | the families of the types between which a value is not converted, where nothing is computed |
 //! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
 //! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
@@ -341,14 +340,6 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         features.extend(literals);
         if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());
-        }
-        // Which families a compiler converts without a function is told in the types of the normal form.
-        let families: BTreeSet<_> = valued_types(self.program.text)
-            .iter()
-            .map(|ty| ty.family())
-            .collect();
-        if !self.is_unread && families.len() > 1 && features.iter().eq([IN_STATEMENTS]) {
-            features.extend(families.iter().map(|family| format!("{family:?}").to_lowercase()));
         }
         if !self.is_unread {
             features.extend(words_of(&self.works, Role::Declaration));
