@@ -236,7 +236,7 @@ fn needs(
             (Symptom::Value.word(), line.of_value(false).0, false)
         }
         // Whatever stops a program, an engine has its line or has none.
-        Symptom::FaultLine(_) if normal.deviation.got.iter().any(is_fault_without_line) => {
+        Symptom::FaultLine(_) if matches!(normal.deviation.got[..], [Fact::Fault { line: None, .. }, ..]) => {
             ("fault without a line".to_owned(), BTreeSet::new(), false)
         }
         Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
@@ -288,10 +288,6 @@ fn needs(
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
-}
-
-const fn is_fault_without_line(fact: &Fact) -> bool {
-    matches!(fact, Fact::Fault { line: None, .. })
 }
 
 /// Returns whether a program divides by a value of another kind, which is taken for zero as it may be taken for another wrong value.

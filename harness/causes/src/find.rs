@@ -7,7 +7,7 @@ use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduction::{LONG, Smallest, is_reducible, reduce};
 use crate::subjects::Subjects;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
 use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom};
@@ -173,18 +173,13 @@ fn find_before_end(
 
 /// Returns the cases of the groups, by id and dialect.
 fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
-    let mut wanted: HashMap<(String, String), Option<&Case>> = HashMap::new();
-    for group in failed.groups.values() {
-        let event = &group.shown;
-        wanted.insert((event.id.clone(), event.dialect.clone()), None);
-    }
-    for case in &suite.cases {
-        if let Some(found) = wanted.get_mut(&(case.id.to_string(), case.dialect.as_str().to_owned())) {
-            *found = Some(case);
-        }
-    }
-    let known = wanted.into_iter();
-    known.filter_map(|(key, case)| Some((key, case?))).collect()
+    let shown = failed.groups.values().map(|group| &group.shown);
+    let wanted: HashSet<(&str, &str)> = shown.map(|event| (&*event.id, &*event.dialect)).collect();
+    let cases = suite.cases.iter();
+    let cases = cases.filter(|case| wanted.contains(&(&*case.id, case.dialect.as_str())));
+    cases
+        .map(|case| ((case.id.to_string(), case.dialect.as_str().to_owned()), case))
+        .collect()
 }
 
 /// The smallest program of a group, and its normal form.

@@ -193,14 +193,6 @@ impl NormalSearch<'_, '_> {
         error.map_or(Ok(()), Err)
     }
 
-    /// Takes a program as the normal form if the engine fails with it in the same way.
-    fn judge(&mut self, text: &str) -> Result<Interestingness, EngineError> {
-        match self.case_of(text) {
-            Some(case) => self.judge_case(text, &case),
-            None => Ok(Interestingness::Invalid),
-        }
-    }
-
     /// Returns the case with a program that may be the normal form; `None` where it says nothing.
     fn case_of(&self, text: &str) -> Option<Case> {
         let former = &self.normal;
@@ -266,8 +258,9 @@ impl NormalSearch<'_, '_> {
                 others.into_iter().find(is_mistaken)
             });
             let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
-            if let Some(other) = other.filter(|_| is_asked) {
-                self.judge(&other)?;
+            let other = other.filter(|_| is_asked);
+            if let Some(case) = other.and_then(|other| self.case_of(&other)) {
+                self.judge_case(&case.source, &case)?;
             }
         }
         Ok(())
