@@ -120,13 +120,8 @@ impl Essence {
 
     /// Returns the constructs, values and types that the defect needs, as a key.
     pub(crate) fn construct(&self) -> String {
-        let all: Vec<&str> = self
-            .constructs
-            .iter()
-            .chain(&self.labels)
-            .map(String::as_str)
-            .collect();
-        all.join(", ")
+        let all = self.constructs.iter().chain(&self.labels);
+        all.cloned().collect::<Vec<_>>().join(", ")
     }
 
     /// Returns whether a cause with this essence explains one with the essence `other`.

@@ -175,8 +175,10 @@ fn find_before_end(
 fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
     let shown = failed.groups.values().map(|group| &group.shown);
     let wanted: HashSet<(&str, &str)> = shown.map(|event| (&*event.id, &*event.dialect)).collect();
-    let cases = suite.cases.iter();
-    let cases = cases.filter(|case| wanted.contains(&(&*case.id, case.dialect.as_str())));
+    let cases = suite
+        .cases
+        .iter()
+        .filter(|case| wanted.contains(&(&*case.id, case.dialect.as_str())));
     cases
         .map(|case| ((case.id.to_string(), case.dialect.as_str().to_owned()), case))
         .collect()
