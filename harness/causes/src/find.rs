@@ -175,13 +175,10 @@ fn find_before_end(
 fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
     let shown = failed.groups.values().map(|group| &group.shown);
     let wanted: HashSet<(&str, &str)> = shown.map(|event| (&*event.id, &*event.dialect)).collect();
-    let cases = suite
-        .cases
-        .iter()
-        .filter(|case| wanted.contains(&(&*case.id, case.dialect.as_str())));
-    cases
-        .map(|case| ((case.id.to_string(), case.dialect.as_str().to_owned()), case))
-        .collect()
+    let is_wanted = |case: &&Case| wanted.contains(&(&*case.id, case.dialect.as_str()));
+    let key = |case: &Case| (case.id.to_string(), case.dialect.as_str().to_owned());
+    let cases = suite.cases.iter().filter(is_wanted);
+    cases.map(|case| (key(case), case)).collect()
 }
 
 /// The smallest program of a group, and its normal form.
@@ -276,9 +273,11 @@ impl Asking<'_> {
             .into_iter()
             .chain([most])
         {
-            let mut open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
-            // A compiler may take seconds for each question about a long program.
-            open.sort_by_key(|at| found[*at].smallest.program.len() > LONG);
+            let is_long = |at: &usize| found[*at].smallest.program.len() > LONG;
+            let open = (0..shown.len()).filter(|at| found[*at].is_open);
+            // A compiler may take seconds for each question about a long program, so that they are asked about once, in the end.
+            let mut open: Vec<usize> = open.filter(|at| tries == most || !is_long(at)).collect();
+            open.sort_by_key(is_long);
             for wave in open.chunks(WAVE) {
                 let tries = tries.min(left / wave.len() as u64);
                 let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;
