@@ -4,16 +4,16 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::alone::{calculated, is_loop_alone};
+use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{DERIVED, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
-use crate::program::{Program, ReadProgram, read};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
@@ -69,8 +69,9 @@ impl Essence {
             Symptom::Value | Symptom::Missing => true,
             _ => divides_wrongly(&line, sign),
         };
-        let is_beyond = has_literal_beyond_type(smallest);
-        let is_unchecked = normal.is_unchecked() && !is_beyond;
+        let is_beyond = sign.symptom == Symptom::NotRejected(Code::ConstantOverflow.as_str().to_owned())
+            && has_literal_beyond_type(&read);
+        let is_unchecked = normal.is_unchecked() && !is_beyond && !line.passes_derived();
         let by_chance = if smallest.flaky.is_some() {
             "by chance: "
         } else {
@@ -94,7 +95,7 @@ impl Essence {
                 words(["typed literal beyond its type"]),
                 false,
             ),
-            None => needs(&line, sign, smallest, normal),
+            None => needs(&line, sign, smallest, (normal, is_unchecked)),
         };
         features.extend(is_unchecked.then(|| UNCHECKED.to_owned()));
         // Every program has statements.
@@ -119,13 +120,8 @@ impl Essence {
 
     /// Returns the constructs, values and types that the defect needs, as a key.
     pub(crate) fn construct(&self) -> String {
-        let all: Vec<&str> = self
-            .constructs
-            .iter()
-            .chain(&self.labels)
-            .map(String::as_str)
-            .collect();
-        all.join(", ")
+        let all = self.constructs.iter().chain(&self.labels);
+        all.cloned().collect::<Vec<_>>().join(", ")
     }
 
     /// Returns whether a cause with this essence explains one with the essence `other`.
@@ -153,12 +149,11 @@ fn needs(
     line: &ProgramAndLine<'_, '_>,
     sign: &Sign,
     smallest: &Smallest,
-    normal: &Normal,
+    (normal, is_unchecked): (&Normal, bool),
 ) -> (String, BTreeSet<String>, bool) {
     let symptom = sign.word();
     match &sign.symptom {
         Symptom::NotRejected(code) => {
-            let is_unchecked = normal.is_unchecked();
             let features = of_accepted(line, code, is_unchecked);
             // A place alone is in every program.
             let names_construct = !features
@@ -184,6 +179,10 @@ fn needs(
             if says(&normal.deviation.got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() =>
         {
             (rejected(reason, ""), line.standard_calls(), true)
+        }
+        // What a compiler says of itself that it does not do is done there, whatever needs it.
+        Symptom::Rejected(reason) if says_unsupported(reason) => {
+            (rejected(reason, ""), BTreeSet::new(), false)
         }
         // A variable that is not known is so whatever is done with it.
         Symptom::Rejected(reason)
@@ -232,7 +231,7 @@ fn needs(
             (Symptom::Value.word(), line.of_value(false).0, false)
         }
         // Whatever stops a program, an engine has its line or has none.
-        Symptom::FaultLine(_) if normal.deviation.got.iter().any(is_fault_without_line) => {
+        Symptom::FaultLine(_) if matches!(normal.deviation.got[..], [Fact::Fault { line: None, .. }, ..]) => {
             ("fault without a line".to_owned(), BTreeSet::new(), false)
         }
         Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
@@ -286,10 +285,6 @@ fn needs(
     }
 }
 
-const fn is_fault_without_line(fact: &Fact) -> bool {
-    matches!(fact, Fact::Fault { line: None, .. })
-}
-
 /// Returns whether a program divides by a value of another kind, which is taken for zero as it may be taken for another wrong value.
 fn divides_wrongly(line: &ProgramAndLine<'_, '_>, sign: &Sign) -> bool {
     matches!(&sign.symptom, Symptom::Fault(fault) if fault == Fault::DivisionByZero.as_str())
@@ -318,6 +313,13 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
             Some(rejection(line, reported, &sign.at))
+        }
+        // Where no types are checked, derived ones are not.
+        Symptom::NotRejected(_) if line.passes_derived() => {
+            let mut features = line.of_mistake(true);
+            features.remove(DERIVED);
+            features.insert(UNCHECKED.to_owned());
+            Some((ACCEPTED.to_owned(), features))
         }
         // What is reported elsewhere may be said of a program without the mistake too.
         Symptom::OtherLine(_) => {
@@ -350,18 +352,10 @@ fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     }
 }
 
-/// Returns whether a program is accepted although it has a literal whose own type does not hold it, such as `SINT#128`, and what it is
-/// given to does.
-fn has_literal_beyond_type(smallest: &Smallest) -> bool {
-    let is_of_constant = |code: &str| code == Code::ConstantOverflow.as_str();
-    matches!(&smallest.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_constant(code))
-        && read(&smallest.program, |program| {
-            let mut literals = program.literals();
-            literals.any(|(part, literal)| {
-                let target = program.target(part).or_else(|| calculated(program, part));
-                is_beyond_type(literal, target)
-            })
-        })
+/// Returns whether a program has a literal whose own type does not hold it, such as `SINT#128`.
+fn has_literal_beyond_type(program: &ReadProgram<'_, '_>) -> bool {
+    let mut literals = program.literals();
+    literals.any(|(_, literal)| is_beyond_type(literal))
 }
 
 fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
@@ -372,6 +366,11 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
 fn says(got: &[Fact], code: Code) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
     codes.any(|said| said == code)
+}
+
+/// Returns whether the words of a rejection say what the compiler does not support.
+fn says_unsupported(reason: &str) -> bool {
+    (reason.contains("unsupported ") || reason.contains("not supported")) && reason.split(' ').count() > 2
 }
 
 /// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large is

@@ -7,7 +7,7 @@ use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduction::{LONG, Smallest, is_reducible, reduce};
 use crate::subjects::Subjects;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
 use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom};
@@ -173,18 +173,12 @@ fn find_before_end(
 
 /// Returns the cases of the groups, by id and dialect.
 fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
-    let mut wanted: HashMap<(String, String), Option<&Case>> = HashMap::new();
-    for group in failed.groups.values() {
-        let event = &group.shown;
-        wanted.insert((event.id.clone(), event.dialect.clone()), None);
-    }
-    for case in &suite.cases {
-        if let Some(found) = wanted.get_mut(&(case.id.to_string(), case.dialect.as_str().to_owned())) {
-            *found = Some(case);
-        }
-    }
-    let known = wanted.into_iter();
-    known.filter_map(|(key, case)| Some((key, case?))).collect()
+    let shown = failed.groups.values().map(|group| &group.shown);
+    let wanted: HashSet<(&str, &str)> = shown.map(|event| (&*event.id, &*event.dialect)).collect();
+    let is_wanted = |case: &&Case| wanted.contains(&(&*case.id, case.dialect.as_str()));
+    let key = |case: &Case| (case.id.to_string(), case.dialect.as_str().to_owned());
+    let cases = suite.cases.iter().filter(is_wanted);
+    cases.map(|case| (key(case), case)).collect()
 }
 
 /// The smallest program of a group, and its normal form.
@@ -279,9 +273,11 @@ impl Asking<'_> {
             .into_iter()
             .chain([most])
         {
-            let mut open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
-            // A compiler may take seconds for each question about a long program.
-            open.sort_by_key(|at| found[*at].smallest.program.len() > LONG);
+            let is_long = |at: &usize| found[*at].smallest.program.len() > LONG;
+            let open = (0..shown.len()).filter(|at| found[*at].is_open);
+            // A compiler may take seconds for each question about a long program, so that they are asked about once, in the end.
+            let mut open: Vec<usize> = open.filter(|at| tries == most || !is_long(at)).collect();
+            open.sort_by_key(is_long);
             for wave in open.chunks(WAVE) {
                 let tries = tries.min(left / wave.len() as u64);
                 let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;
@@ -291,6 +287,8 @@ impl Asking<'_> {
                     progress(u64::from(!smaller.is_open));
                     match smaller.distance() <= found[*at].distance() {
                         true => found[*at] = smaller,
+                        // What was not asked to its end may show another cause.
+                        false if (self.stop)() => found[*at].end_partly(),
                         false => found[*at].is_open = false,
                     }
                 }

@@ -17,7 +17,7 @@ use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
-use stickler_run::{CaseEvent, Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
+use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_types::Dialect;
 
@@ -63,11 +63,9 @@ impl GrowingCause {
         let is_as_small = normal.program.len() <= smallest.program.len();
         let is_unchecked = smallest.deviation.sign.accepts() && normal.is_unchecked() && is_as_small;
         // The same mistake shows best where nothing else is done.
-        let number = |program: &str| operations(program).len();
         let is_plainer = smallest.deviation.sign.accepts()
             && normal.deviation.sign == smallest.deviation.sign
-            && is_as_small
-            && number(&normal.program) < number(&smallest.program);
+            && is_as_small;
         let is_other_form = is_plainer || normal.has_variables;
         let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),
@@ -130,9 +128,18 @@ impl GrowingCause {
             construct: essence.construct(),
             title: title(shown, engine.grade == Grade::Code),
             shown: Reproducer {
-                is_derived,
+                case: group.shown.id.clone(),
+                dialect: group.shown.dialect.clone(),
                 basis: basis.to_owned(),
-                ..reproducer(&group.shown, shown)
+                about: group.shown.title.clone(),
+                file: group.shown.file.clone(),
+                line: group.shown.line,
+                program: shown.program.clone(),
+                expected: shown.deviation.expected.clone(),
+                got: shown.deviation.got.clone(),
+                is_derived,
+                reproduction: None,
+                printed: String::new(),
             },
             lacked_in: BTreeMap::new(),
             types: vec![types.join(", ")],
@@ -284,23 +291,6 @@ fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<Str
         _ => return None,
     };
     sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))
-}
-
-fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
-    Reproducer {
-        case: event.id.clone(),
-        dialect: event.dialect.clone(),
-        basis: event.basis.clone(),
-        about: event.title.clone(),
-        file: event.file.clone(),
-        line: event.line,
-        program: smallest.program.clone(),
-        expected: smallest.deviation.expected.clone(),
-        got: smallest.deviation.got.clone(),
-        is_derived: false,
-        reproduction: None,
-        printed: String::new(),
-    }
 }
 
 /// Returns the rank of a claim among those that a cause contradicts: what the makers of the engine say themselves comes first,

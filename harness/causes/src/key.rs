@@ -6,12 +6,13 @@ use crate::plainness::value_features;
 use crate::program::read;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
+use crate::smaller_case::expected_value;
 use crate::title::title;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use stickler_run::{Answers, Cause, Fact, Grade, Symptom, Verdict, judge};
-use stickler_suite::{Case, Expectation, ExpectedValue};
+use stickler_suite::{Case, Expectation};
 use stickler_types::{DialectName, NamedValue, Outcome};
 
 /// The key of a cause, and its title, by a program that shows it. Two programs with the same symptom and the same constructs show one
@@ -86,15 +87,9 @@ impl CauseKey {
 }
 
 fn case(program: &str, dialect: DialectName, values: &[NamedValue]) -> Case {
-    let expected = |(name, value): &NamedValue| ExpectedValue {
-        name: name.as_str().into(),
-        after: None,
-        value: value.clone(),
-        line: 1,
-    };
     Case {
         expectation: Arc::new(Expectation {
-            values: values.iter().map(expected).collect(),
+            values: values.iter().cloned().map(expected_value).collect(),
             ..Expectation::default()
         }),
         ..Case::of_program("found", dialect, program)

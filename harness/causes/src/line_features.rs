@@ -14,12 +14,13 @@
 //! | `parameter of a standard function`, `partial access` | what the line calls or selects |
 //! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
-//! | `array`, `array of structures`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
+//! | `array`, `array of structures`, `structure`, `enumeration`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
 //! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
 //! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
 //! | `conversion` | a number becomes one of another type as an initial value or an output argument |
+//! | `derived type` | the line gives or takes a whole array, a structure or an enumeration, for a mistake that is accepted |
 //! | `AT` | a located variable, for a mistake that is accepted |
 //! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
@@ -51,6 +52,11 @@ pub(crate) const IN_STATEMENTS: &str = "statement";
 pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEMENTS];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
+
+/// The feature of something not implemented with an instance.
+const INSTANCE: &str = "instance of a function block";
+/// The feature of a mistake with a whole array, a structure or an enumeration.
+pub(crate) const DERIVED: &str = "derived type";
 
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
@@ -145,7 +151,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
             // Where a literal stands is told by the diagnostic code, if it matters at all.
-            features.insert(match is_untyped && !is_unchecked {
+            features.insert(match is_untyped && !is_unchecked && !self.passes_derived() {
                 true => LITERAL.to_owned(),
                 false => self.place().to_owned(),
             });
@@ -157,7 +163,17 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         };
         let located = words(self.text()).into_iter().find(is_located);
         features.extend(located.map(|_| "AT".to_owned()));
+        features.extend(self.passes_derived().then(|| DERIVED.to_owned()));
         features
+    }
+
+    /// Returns whether the line gives or takes a value of a derived type, which compilers compare apart from elementary ones.
+    pub(crate) fn passes_derived(&self) -> bool {
+        let names = self.program.parts.iter().filter(|part| {
+            !matches!(part.place, Place::Base | Place::Callee) && self.is_on_line(part.expression.span)
+        });
+        let mut kinds = names.filter_map(|part| self.variable_kind(part.name()?));
+        kinds.any(|kind| kind != INSTANCE)
     }
 
     /// Returns the forms of the literals of the line that matters, where these are no plain numbers: of a
@@ -236,7 +252,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns the kind of a variable, unless that is a plain one.
     fn variable_kind(&self, name: &str) -> Option<&'static str> {
         if self.program.is_instance(name) {
-            return Some("instance of a function block");
+            return Some(INSTANCE);
         }
         let declared = &self.program.group(name)?.specification.kind;
         let own = match declared {
@@ -249,6 +265,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 false => "array",
             }),
             TypeSpecificationKind::Structure(_) => Some("structure"),
+            TypeSpecificationKind::Enumeration { .. } => Some("enumeration"),
             _ => None,
         }
     }
@@ -494,7 +511,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         }
         let literals = self.suspect_literals(|_| true);
         // A text with an escape is read in one way wherever it stands.
-        let is_escaped = literals.contains("escape in a text");
+        let is_escaped = literals.iter().any(|literal| literal.starts_with("escape "));
         let declarations = words_of(&self.works, Role::Declaration);
         if operations.is_empty() && !is_escaped {
             features.insert(if begins { "initial value" } else { "assigned value" }.to_owned());

@@ -164,21 +164,16 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
     }
 }
 
-/// Returns the name of a function with the type of its result, where a line assigns it.
+/// Returns the name of a function with the type of its result, where a line of the function assigns or reads it.
 fn result_of(program: &ReadProgram<'_, '_>, number: u32, name: &str) -> Option<String> {
-    let is_assigned = |part: &&Part<'_, '_>| {
+    let is_here = |part: &&Part<'_, '_>| {
         let is_named = part.name().is_some_and(|one| one.eq_ignore_ascii_case(name));
-        is_named
-            && program.outermost(part).place == Place::Target
-            && program.line(part.expression.span) == number
+        is_named && part.place != Place::Callee && program.line(part.expression.span) == number
     };
-    let pou = program.parts.iter().find(is_assigned)?.pou?;
+    let pou = program.parts.iter().find(is_here)?.pou?;
     let result = pou.result.as_ref().filter(|_| pou.name.is(name))?;
-    Some(format!(
-        "result {} : {}",
-        pou.name.text,
-        written_type(program, result, None)?
-    ))
+    let ty = written_type(program, result, None)?;
+    Some(format!("result {} : {ty}", pou.name.text))
 }
 
 /// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is

@@ -101,14 +101,11 @@ pub(crate) fn size_of_integer(literal: &str) -> Option<&'static str> {
     }
 }
 
-/// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
-pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
+/// Returns whether a literal is an integer with a type that does not hold it.
+pub(crate) fn is_beyond_type(literal: &str) -> bool {
     let own = type_of_word(literal).filter(|_| literal.contains('#'));
-    let Some((own, number)) = own.zip(number_of_literal(literal)) else {
-        return false;
-    };
-    let is_held = target.is_some_and(|ty| ty.is_real() || ty.holds(number));
-    own.integer_range().is_some() && !own.holds(number) && is_held
+    let own = own.zip(number_of_literal(literal));
+    own.is_some_and(|(own, number)| own.integer_range().is_some() && !own.holds(number))
 }
 
 /// Returns the number that an integer literal is, in any base; `None` of another literal, and of one that 128 bits do not hold.

@@ -9,7 +9,7 @@ mod other_forms;
 
 pub(crate) use other_forms::NUMBERS_PLACELESS;
 
-use crate::alone::{alone, is_beginning_block, shows};
+use crate::alone::{alone, is_beginning_block, is_loop_alone, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
@@ -115,8 +115,8 @@ pub(crate) fn normal_form(
         stop,
         normal: Normal::unasked(smallest),
     };
-    // A long program has no page, and each form of it takes long to write and to ask about.
-    if smallest.flaky.is_some() || smallest.program.len() > LONG {
+    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone has no plainer form.
+    if smallest.flaky.is_some() || smallest.program.len() > LONG || is_loop_alone(&smallest.program) {
         return Ok(search.normal);
     }
     let symptom = smallest.deviation.sign.symptom.clone();
@@ -193,14 +193,6 @@ impl NormalSearch<'_, '_> {
         error.map_or(Ok(()), Err)
     }
 
-    /// Takes a program as the normal form if the engine fails with it in the same way.
-    fn judge(&mut self, text: &str) -> Result<Interestingness, EngineError> {
-        match self.case_of(text) {
-            Some(case) => self.judge_case(text, &case),
-            None => Ok(Interestingness::Invalid),
-        }
-    }
-
     /// Returns the case with a program that may be the normal form; `None` where it says nothing.
     fn case_of(&self, text: &str) -> Option<Case> {
         let former = &self.normal;
@@ -266,8 +258,9 @@ impl NormalSearch<'_, '_> {
                 others.into_iter().find(is_mistaken)
             });
             let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
-            if let Some(other) = other.filter(|_| is_asked) {
-                self.judge(&other)?;
+            let other = other.filter(|_| is_asked);
+            if let Some(case) = other.and_then(|other| self.case_of(&other)) {
+                self.judge_case(&case.source, &case)?;
             }
         }
         Ok(())

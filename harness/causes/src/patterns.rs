@@ -118,7 +118,13 @@ impl WrongNumber<'_, '_, '_> {
         let number = |value: &Value| {
             let text = value.to_string();
             let sign = if text.contains("#-") { -1.0 } else { 1.0 };
-            Some(amount(&text)? * sign)
+            // A duration beyond 64 bits is written in nanoseconds, whatever its type counts.
+            let unit = if matches!(value, Value::OutOfRange { .. }) {
+                1e-6
+            } else {
+                1.0
+            };
+            Some(amount(&text)? * sign * unit)
         };
         let (value, other) = self.values()?;
         Some((number(value)?, number(other)?))
@@ -401,7 +407,7 @@ impl WrongNumber<'_, '_, '_> {
         // Below a second the number of seconds is 0, which a conversion by its name gives for no other reason.
         let is_second = expected.abs() >= MILLISECONDS || got == 0.0 && self.conversions().next().is_some();
         let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;
-        let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
+        let takes_seconds = expected != 0.0 && (got / MILLISECONDS - expected).abs() < 0.01;
         converts && (counts_seconds || takes_seconds)
     }
 }

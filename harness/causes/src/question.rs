@@ -7,6 +7,7 @@ use crate::words::{LOOPS, has_word};
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
+use stickler_reduce::Interestingness;
 use stickler_run::{
     AnswerStore, Answers, CaseJudge, Fact, Grade, Symptom, Verdict, ask, ask_stored, ask_stored_together,
     question,
@@ -355,6 +356,24 @@ impl Questioner<'_> {
             _ => accepted,
         })
     }
+}
+
+/// Judges the cases of programs in their order until one is interesting: those behind it are judged again, as changes of it. A program
+/// without a case says nothing.
+pub(crate) fn until_interesting(
+    cases: &[Option<Case>],
+    mut judge: impl FnMut(usize, &Case) -> Result<Interestingness, EngineError>,
+) -> Result<Vec<Interestingness>, EngineError> {
+    let mut answers = vec![Interestingness::Invalid; cases.len()];
+    for (at, case) in cases.iter().enumerate() {
+        if let Some(case) = case {
+            answers[at] = judge(at, case)?;
+        }
+        if answers[at] == Interestingness::Interesting {
+            break;
+        }
+    }
+    Ok(answers)
 }
 
 /// Returns whether a program that was made from a whole one uses one of some features which that does not use.

@@ -108,7 +108,9 @@ impl Asking<'_> {
             return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
         }
         match reproduce_and_run(self.engine, &request, ability).ok()? {
-            (reproduction, Ok(output)) => Some((reproduction, beginning(&output.text))),
+            (reproduction, Ok(output)) => {
+                Some((reproduction, output.text.chars().take(MAX_PRINTED).collect()))
+            }
             // The time of the search ended before the commands did: they print nothing that is known.
             _ => Some((self.engine.reproduce(&request, ability).ok()?, String::new())),
         }
@@ -133,9 +135,4 @@ fn shown_case_of(case: &Case, member: &GrowingCause) -> Case {
     let observe = case.observe.iter().filter(|one| is_wrong(one));
     case.observe = observe.cloned().collect();
     case
-}
-
-/// Returns the beginning of a text.
-fn beginning(text: &str) -> String {
-    text.chars().take(MAX_PRINTED).collect()
 }

@@ -134,11 +134,22 @@ fn number(upper: &str) -> String {
     }
 }
 
-/// Returns the form of a character string: its kind of quotes, and whether it has an escape.
+/// Returns the form of a character string: its kind of quotes, and the kind of its escapes.
 fn text_form(text: &str) -> String {
     let quote = text.get(..1).unwrap_or_default();
-    let escape = if text.contains('$') { "$" } else { "" };
-    format!("{quote}{escape}{quote}")
+    format!("{quote}{}{quote}", escape(text).unwrap_or_default())
+}
+
+/// Returns the kind of the escapes of a character string: one by a number may take a digit behind it for its own. `None` where it has none.
+pub(crate) fn escape(text: &str) -> Option<&'static str> {
+    let digits = if text.starts_with('"') { 4 } else { 2 };
+    let mut pieces = text.split('$').skip(1).peekable();
+    pieces.peek()?;
+    let runs_on = |piece: &str| piece.chars().take_while(char::is_ascii_hexdigit).count() > digits;
+    Some(match pieces.any(runs_on) {
+        true => "escape by a number before a digit",
+        false => "escape in a text",
+    })
 }
 
 /// Joins the words of a program, and sorts the declarations of each section of variables; each name gets a declaration of its own.

@@ -117,15 +117,7 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
             ..Expectation::default()
         },
         Outcome::Executed { values, .. } => Expectation {
-            values: values
-                .into_iter()
-                .map(|(name, value)| ExpectedValue {
-                    name: name.as_str().into(),
-                    after: None,
-                    value,
-                    line: 1,
-                })
-                .collect(),
+            values: values.into_iter().map(expected_value).collect(),
             ..Expectation::default()
         },
         _ => return None,
@@ -134,6 +126,16 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
         expectation: Arc::new(expectation),
         ..case
     })
+}
+
+/// Returns the expectation that a variable has a value in the end.
+pub(crate) fn expected_value((name, value): NamedValue) -> ExpectedValue {
+    ExpectedValue {
+        name: name.as_str().into(),
+        after: None,
+        value,
+        line: 1,
+    }
 }
 
 /// Returns the case with the program that a page shows, and the observations by which the deviation `sign` is seen there.

@@ -3,7 +3,7 @@
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::{forms_of_literals, words_with_digits};
-use crate::question::{Questioner, Takes};
+use crate::question::{Questioner, Takes, until_interesting};
 use crate::reduction::{has_fault, has_same_value};
 use crate::smaller_case::with_program;
 use crate::words::{LOOPS, words};
@@ -98,28 +98,12 @@ impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
             .map(|program| with_program(self.case, self.sign, program));
         let cases: Vec<Option<Case>> = cases.collect();
         let ahead = self.asked.ask_ahead(cases.iter().flatten(), self.stop);
-        self.error = ahead.err().or(self.error.take());
-        let mut answers = Vec::with_capacity(programs.len());
-        for (program, case) in programs.iter().zip(&cases) {
-            let deviates = match case {
-                Some(case) if self.error.is_none() => self.deviates(program, case).map(Some),
-                _ => Ok(None),
-            };
-            answers.push(match deviates {
-                Ok(Some(deviates)) => Interestingness::from(deviates),
-                Ok(None) => Interestingness::Invalid,
-                Err(failed) => {
-                    self.error = Some(failed);
-                    Interestingness::Invalid
-                }
-            });
-            // Those behind it are asked about again, as changes of it.
-            if answers.last() == Some(&Interestingness::Interesting) {
-                answers.resize(programs.len(), Interestingness::Invalid);
-                break;
-            }
-        }
-        answers
+        let judge = |at: usize, case: &Case| Ok(Interestingness::from(self.deviates(&programs[at], case)?));
+        let judged = ahead.and_then(|()| until_interesting(&cases, judge));
+        judged.unwrap_or_else(|failed| {
+            self.error = Some(failed);
+            vec![Interestingness::Invalid; programs.len()]
+        })
     }
 
     fn pack_size(&self) -> usize {

@@ -1,5 +1,6 @@
 //! The pieces of work of a compiler that a program asks for: the features that it uses, where those that one change would mend are one.
 
+use crate::shape::escape;
 use crate::words::{ANY, elementary, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
@@ -62,6 +63,7 @@ pub(crate) fn works(program: &str) -> Vec<Work> {
             }
             // How large a base or an exponent is matters to those who read it.
             "based-literal" => vec![(Role::Literal, format!("{}#digits", base(written)))],
+            "string-escape" => vec![(Role::Literal, escape(written).unwrap_or_default().to_owned())],
             "literal-exponent" => vec![(Role::Literal, exponent(written).to_owned())],
             key => WORKS.get(key).cloned().unwrap_or_else(own),
         };

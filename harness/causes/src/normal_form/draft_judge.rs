@@ -1,6 +1,7 @@
 //! The judge of the programs that the passes to the normal form propose.
 
 use super::NormalSearch;
+use crate::question::until_interesting;
 use stickler_engines::EngineError;
 use stickler_reduce::{CandidateJudge, Interestingness, TextDraft};
 use stickler_suite::Case;
@@ -21,18 +22,7 @@ impl DraftJudge<'_, '_, '_> {
         let cases: Vec<Option<Case>> = cases.collect();
         let search = &mut *self.search;
         search.asked.ask_ahead(cases.iter().flatten(), search.stop)?;
-        let mut answers = Vec::with_capacity(drafts.len());
-        for (draft, case) in drafts.iter().zip(&cases) {
-            answers.push(match case {
-                Some(case) => search.judge_case(draft.text(), case)?,
-                None => Interestingness::Invalid,
-            });
-            if answers.last() == Some(&Interestingness::Interesting) {
-                break;
-            }
-        }
-        answers.resize(drafts.len(), Interestingness::Invalid);
-        Ok(answers)
+        until_interesting(&cases, |at, case| search.judge_case(drafts[at].text(), case))
     }
 }
 

@@ -2,13 +2,14 @@
 //! operation or tells a mistake.
 
 use super::{NormalSearch, is_same};
-use crate::program::read;
+use crate::program::{ReadProgram, read};
+use crate::question::Deviation;
 use crate::smaller_case::as_the_reference;
 use crate::ways;
 use stickler_engines::EngineError;
 use stickler_reference::errors;
 use stickler_run::Symptom;
-use stickler_suite::{Acceptance, Case};
+use stickler_suite::Acceptance;
 
 /// The way of an engine whose diagnostics have no places.
 const ALL_PLACELESS: &str = "diagnostics without a place";
@@ -41,24 +42,22 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
+    /// Asks about another form of the program; `None` where there is none, or no question is left.
+    fn ask_form(
+        &mut self,
+        form: fn(&ReadProgram<'_, '_>) -> Option<String>,
+    ) -> Result<Option<Option<Deviation>>, EngineError> {
+        let form = read(&self.normal.program, form);
+        let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
+        self.deviation_of(case.as_ref())
+    }
+
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     pub(super) fn other_forms(&mut self) -> Result<(), EngineError> {
-        let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
-            (ways::in_two_steps(program), ways::turned_round(program))
-        });
-        let forms = [
-            (in_two_steps, "operation in the type of its target"),
-            (turned_round, "comparison in the type of its first operand"),
-        ];
-        for (form, way) in forms {
-            let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
-            if let Some(case) = case.filter(|_| !(self.stop)()) {
-                self.left = self.left.saturating_sub(1);
-                if self.asked.deviation(&case)?.is_none() {
-                    self.normal.way = Some(way);
-                    break;
-                }
-            }
+        if self.ask_form(ways::in_two_steps)? == Some(None) {
+            self.normal.way = Some("operation in the type of its target");
+        } else if self.ask_form(ways::turned_round)? == Some(None) {
+            self.normal.way = Some("comparison in the type of its first operand");
         }
         Ok(())
     }
@@ -66,13 +65,8 @@ impl NormalSearch<'_, '_> {
     /// Asks for numbers with the types of what they are given to: where the program does not stop with these, the others have a type
     /// of their own.
     pub(super) fn typed_numbers(&mut self) -> Result<(), EngineError> {
-        let form = read(&self.normal.program, ways::with_typed_numbers);
-        let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
-        if let Some(case) = case.filter(|_| !(self.stop)()) {
-            self.left = self.left.saturating_sub(1);
-            let is_right = self.asked.deviation(&case)?.is_none();
-            self.normal.way = is_right.then_some("number with a type of its own");
-        }
+        let is_right = self.ask_form(ways::with_typed_numbers)? == Some(None);
+        self.normal.way = is_right.then_some("number with a type of its own");
         Ok(())
     }
 
@@ -80,9 +74,7 @@ impl NormalSearch<'_, '_> {
     pub(super) fn variables_for_literals(&mut self) -> Result<(), EngineError> {
         let form = read(&self.normal.program, ways::with_variables_for_literals);
         let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
-        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
-            self.left -= 1;
-            let seen = self.asked.deviation(&case)?;
+        if let Some(seen) = self.deviation_of(case.as_ref())? {
             let has_text = self.normal.program.contains(['\'', '"']);
             let way = match has_text {
                 true => "text literal as an operand",
@@ -90,7 +82,10 @@ impl NormalSearch<'_, '_> {
             };
             self.normal.way = seen.is_none().then_some(way);
             // A literal may be at fault beside what it is an operand of.
-            if let Some(deviation) = seen.filter(|seen| is_same(&self.normal.deviation, seen)) {
+            if let Some((deviation, case)) = seen
+                .filter(|seen| is_same(&self.normal.deviation, seen))
+                .zip(case)
+            {
                 self.normal.program = case.source.to_string();
                 self.normal.deviation = deviation;
                 self.normal.has_variables = true;
@@ -104,12 +99,9 @@ impl NormalSearch<'_, '_> {
     pub(super) fn swapped_operands(&mut self) -> Result<(), EngineError> {
         let swapped = read(&self.normal.program, ways::with_swapped_operands);
         let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
-        let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
-        if let Some(case) = case.filter(|case| is_mistaken(case) && !(self.stop)()) {
-            self.left = self.left.saturating_sub(1);
-            let is_rejected = self.asked.deviation(&case)?.is_none();
-            self.normal.way = is_rejected.then_some("operation in the type of its first operand");
-        }
+        let case = case.filter(|case| case.expectation.accepted == Acceptance::Rejected);
+        let is_rejected = self.deviation_of(case.as_ref())? == Some(None);
+        self.normal.way = is_rejected.then_some("operation in the type of its first operand");
         Ok(())
     }
 }

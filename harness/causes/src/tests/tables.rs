@@ -111,7 +111,7 @@ fn answer(question: &str, inputs: &[String]) -> String {
     let deviation = || {
         let fact = |text: &String| Fact::Value {
             name: "x".to_owned(),
-            value: Value::parse(text).expect("a literal"),
+            value: Value::parse_observed(text).expect("a literal"),
         };
         let facts = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
         Deviation::new("", Verdict::Fail, facts, Grade::Line)

@@ -5,8 +5,8 @@ use super::saboteur::Saboteur;
 use super::site::sites;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_engines::{EngineSession, Grade, Outcome, Reference};
-use stickler_run::{Verdict, ask, judge};
+use stickler_engines::{Engine, EngineSession, Outcome, Reference};
+use stickler_run::{Plan, Verdict, ask, judge};
 use stickler_suite::Case;
 use stickler_types::Dialect;
 use stickler_workers::WorkerPool;
@@ -80,7 +80,8 @@ fn try_case(
     }
     let reference = Reference::new();
     let right = ask(&mut EngineSession::open(&reference)?, case)?;
-    let verdict = judge(case, &right, Grade::Code).verdict;
+    let strict = Plan::default().needed(reference.identity(), case);
+    let verdict = judge(case, &right, strict).verdict;
     anyhow::ensure!(
         verdict == Verdict::Pass,
         "{} fails without a saboteur; `cargo run` shows why",
@@ -106,7 +107,7 @@ fn try_case(
             }
             tally.changed += 1;
             tally.recorded += usize::from(case.is_open());
-            tally.noticed += usize::from(judge(case, &answers, Grade::Code).verdict != Verdict::Pass);
+            tally.noticed += usize::from(judge(case, &answers, strict).verdict != Verdict::Pass);
         }
     }
     Ok(())

@@ -113,6 +113,18 @@ pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
 }
 
+/// Joins a section of variables with the one before it of the same kind.
+pub(crate) fn join_sections(view: &TextView<'_>) -> Vec<Edits> {
+    let sections = view.sections();
+    let pairs = sections.windows(2).filter(|pair| pair[0].kind == pair[1].kind);
+    let between = pairs.filter_map(|pair| {
+        let end = view.inside(pair[0].span.into()).last()?.span.start;
+        let start = view.inside(pair[1].span.into()).first()?.span.end;
+        Some(Edits::removing(end as usize..start as usize))
+    });
+    view.only_allowed(between.collect())
+}
+
 /// Makes parameters, external variables, and those that begin anew with each call, plain ones.
 pub(crate) fn plain_sections(view: &TextView<'_>) -> Vec<Edits> {
     let words = view.sections().into_iter();
