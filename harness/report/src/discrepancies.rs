@@ -35,6 +35,8 @@ const MAX_CLUSTERS: usize = 300;
 /// The clusters of a run, gathered until their pages are written.
 pub(crate) struct Discrepancies {
     folder: PathBuf,
+    /// Whether the pages have no text of a program.
+    prose: bool,
     engines: BTreeMap<String, EngineClusters>,
 }
 
@@ -70,15 +72,16 @@ struct Cluster {
 }
 
 impl Discrepancies {
-    /// Removes the pages that an earlier run left in this folder of reports.
+    /// Removes the pages that an earlier run left in this folder of reports; the new ones have no text of a program where they are `prose`.
     ///
     /// # Errors
     /// [`ReportError::Write`] where they cannot be removed.
-    pub(crate) fn create(reports: &Path) -> Result<Discrepancies, ReportError> {
+    pub(crate) fn create(reports: &Path, prose: bool) -> Result<Discrepancies, ReportError> {
         let folder = reports.join(NAME);
         remove_pages(&folder)?;
         Ok(Discrepancies {
             folder,
+            prose,
             engines: BTreeMap::new(),
         })
     }
@@ -147,7 +150,7 @@ impl Discrepancies {
             engines.filter(|(_, engine)| !engine.clusters.is_empty() || !engine.lacks.is_empty())
         {
             let folder = self.folder.join(file_name(&name));
-            engine.write(&folder, &name, overview)?;
+            engine.write(&folder, &name, overview, self.prose)?;
         }
         Ok(())
     }
@@ -159,14 +162,17 @@ type Discrepancy = (Cause, Option<CaseEvent>);
 impl EngineClusters {
     /// Writes a page for each cause or cluster, and the lists of them: what contradicts no source that binds the engine, and causes whose
     /// programs are not as small as possible, have folders of their own.
-    fn write(self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
+    fn write(self, folder: &Path, name: &str, overview: &Overview, prose: bool) -> Result<(), ReportError> {
         let about = overview.engine(name);
         let words = match self.causes.is_empty() {
             true => cause_page::OF_CLUSTERS,
             false => cause_page::OF_CAUSES,
         };
         let failing = self.failing;
-        let found = self.discrepancies(name);
+        let mut found = self.discrepancies(name);
+        if prose {
+            found.iter_mut().for_each(|(cause, _)| without_program(cause));
+        }
         let causes = found.iter().filter(|(cause, _)| !cause.is_lack());
         let explained: u64 = causes.map(|(cause, _)| cause.number()).sum();
         let all = found.iter();
@@ -199,6 +205,14 @@ impl EngineClusters {
         let causes = self.lacks.into_iter().chain(self.causes);
         causes.map(|cause| (cause, None)).chain(clusters).collect()
     }
+}
+
+/// Takes the text of programs out of a cause: its program, and the pieces of it in the title.
+fn without_program(cause: &mut Cause) {
+    let words: Vec<&str> = cause.title.split('`').step_by(2).collect();
+    cause.title = words.join("…");
+    cause.shown.program.clear();
+    cause.shown.reproduction = None;
 }
 
 /// Writes a page for each of these causes, and the list of them.

@@ -50,12 +50,16 @@ const OF_OVERVIEW: [(&str, Content); 4] = [
 impl Reports {
     /// Creates the folder where one is wanted and missing, and opens every file in it. The files of an earlier run are removed, so that
     /// all files of a folder belong to one run. `statements` are what documents state about the conversions that the cases are about;
-    /// the page shows them beside what the engines do.
+    /// the page shows them beside what the engines do. Pages of causes have no text of a program where they are `prose`.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
-    pub fn create(folder: Option<&Path>, statements: Statements) -> Result<Reports, ReportError> {
-        let files = folder.map(|folder| ReportFiles::create(folder, statements));
+    pub fn create(
+        folder: Option<&Path>,
+        statements: Statements,
+        prose: bool,
+    ) -> Result<Reports, ReportError> {
+        let files = folder.map(|folder| ReportFiles::create(folder, statements, prose));
         Ok(Reports {
             overview: Overview::default(),
             files: files.transpose()?,
@@ -96,13 +100,13 @@ impl Reports {
 }
 
 impl ReportFiles {
-    fn create(folder: &Path, statements: Statements) -> Result<ReportFiles, ReportError> {
+    fn create(folder: &Path, statements: Statements, prose: bool) -> Result<ReportFiles, ReportError> {
         fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
         Ok(ReportFiles {
             events: EventLog::create(folder.join(events::NAME))?,
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
-            discrepancies: Discrepancies::create(folder)?,
+            discrepancies: Discrepancies::create(folder, prose)?,
             page: Page::create(folder.join("index.html"), statements)?,
             of_overview: OF_OVERVIEW
                 .iter()
@@ -159,7 +163,7 @@ mod tests {
         let blocked = folder.path().join("file");
         fs::write(&blocked, "").expect("a file in the way");
         let Err(ReportError::Write { path, .. }) =
-            Reports::create(Some(&blocked.join("latest")), Statements::default())
+            Reports::create(Some(&blocked.join("latest")), Statements::default(), false)
         else {
             panic!("a file is no folder");
         };

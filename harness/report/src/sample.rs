@@ -227,7 +227,7 @@ pub(crate) fn overview(events: &[Event]) -> Overview {
 
 /// Writes every report of a run into a folder.
 pub(crate) fn report(folder: &Path, events: &[Event]) {
-    let mut reports = Reports::create(Some(folder), Statements::default()).expect("a folder");
+    let mut reports = Reports::create(Some(folder), Statements::default(), false).expect("a folder");
     assert!(events.iter().all(|event| reports.take(event)));
     reports.finish().expect("finished");
 }

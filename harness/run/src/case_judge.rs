@@ -85,7 +85,7 @@ impl CaseJudge<'_> {
             got,
             duration_us: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
             observations: judgement.observations,
-            program: shown.map(|case| case.source.to_string()),
+            program: shown.map(with_diagram),
             question: shown.and_then(|case| case.question.as_deref().cloned()),
             baseline,
         }
@@ -185,6 +185,16 @@ fn tells_nothing(passed: &Judgement) -> bool {
     passed.got == passed.expected
         // The acceptance is observed.
         || (passed.expected == [Fact::AcceptedOrRejected] && passed.got == [Fact::Accepted])
+}
+
+/// Returns the program of a case; behind one of several scans stands a comment with its timing diagram.
+fn with_diagram(case: &Case) -> String {
+    const MAX_SCANS: u32 = 48;
+    if !case.has_timing() {
+        return case.source.to_string();
+    }
+    let diagram = case.timing_diagram(1..=case.scans.clamp(1, MAX_SCANS));
+    format!("{}\n(* What is set and must come by scan:\n{diagram}*)\n", case.source.trim_end())
 }
 
 /// Returns whether a report shows the program: the engine did not do what was expected of it, be that known or not.

@@ -177,7 +177,8 @@ pub struct CaseEvent {
     pub duration_us: u64,
     /// The observations, which are recorded and not judged.
     pub observations: Vec<Observed>,
-    /// The whole program, where the engine did not meet the expectation; `None` otherwise, since the case file has it.
+    /// The whole program, where the engine did not meet the expectation, with a timing diagram of several scans as a comment behind it;
+    /// `None` otherwise, since the case file has it.
     pub program: Option<String>,
     /// The question that the program asks; `None` where it asks none, or where `program` is.
     pub question: Option<Question>,

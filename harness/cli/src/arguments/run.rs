@@ -68,6 +68,9 @@ pub struct RunArguments {
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
     #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
     pub report: Option<PathBuf>,
+    /// Leave the text of programs out of the pages of `discrepancies`, for trackers that want none
+    #[arg(long, conflicts_with = "no_report")]
+    pub prose: bool,
     /// Write no reports, and neither use nor keep results in reports/cache
     #[arg(long)]
     pub no_report: bool,

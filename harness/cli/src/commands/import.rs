@@ -164,7 +164,7 @@ fn judged(
     answered: &mut dyn FnMut(&Case, &Outcome),
 ) -> Result<(Imported, Overview), ReportError> {
     // One program asks many cases at once, so no table of conversions belongs to it.
-    let mut reports = Reports::create(report, Statements::default())?;
+    let mut reports = Reports::create(report, Statements::default(), false)?;
     let sink = &mut |event| {
         reports.take(&event);
     };

@@ -107,7 +107,7 @@ fn of_run(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exi
     // Without cases the page has no conversions.
     let folder = CaseFolder::locate_any(arguments.cases.as_deref())?;
     let stated = folder.as_ref().map(of_all_cases).unwrap_or_default();
-    let mut reports = Reports::create(Some(&arguments.output), stated)?;
+    let mut reports = Reports::create(Some(&arguments.output), stated, false)?;
     let missing = parts::merge(parts, &shell::command_line(), &mut |event| {
         reports.take(&event);
     });

@@ -114,7 +114,7 @@ fn run(
         None => Statements::default(),
     };
     let mut sink = EventSink {
-        reports: Reports::create(report_folder.as_deref(), stated)?,
+        reports: Reports::create(report_folder.as_deref(), stated, arguments.prose)?,
         shows_progress: !arguments.quiet,
         progress: None,
         cancel,

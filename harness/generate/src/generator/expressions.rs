@@ -105,7 +105,7 @@ impl ProgramBuilder<'_, '_> {
             ExpressionForm::Absolute => self.absolute(ty, depth),
             ExpressionForm::Shift => Some(self.shift(ty, depth)),
             ExpressionForm::Length => Some(self.length(depth)),
-            ExpressionForm::Concatenation => Some(self.concatenation(ty, depth)),
+            ExpressionForm::Concatenation => self.concatenation(ty, depth),
             ExpressionForm::Call => self.call(&Type::Elementary(ty), depth),
         }
     }

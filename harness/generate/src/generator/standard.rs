@@ -112,8 +112,11 @@ impl ProgramBuilder<'_, '_> {
         Expression::standard(function, arguments, ElementaryType::Int)
     }
 
-    /// Generates CONCAT of a text and a literal, or LEFT or RIGHT of a text.
-    pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Expression {
+    /// Generates CONCAT of a text and a literal, or LEFT or RIGHT of a text; nothing where the dialect has them not for the type.
+    pub fn concatenation(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
+        if ty == ElementaryType::Wstring && !self.profile.dialect.rules().wide_text_functions {
+            return None;
+        }
         let text = self.value(ty, TypeContext::Exact, depth.min(2));
         let function = [Function::Left, Function::Right][self.random.below(2)];
         let key = if function == Function::Left {
@@ -123,7 +126,7 @@ impl ProgramBuilder<'_, '_> {
         };
         if self.random.chance(1, 3) && !self.lacks(key) {
             let count = integer(ElementaryType::Int, self.random.between(0, 9), LiteralForm::Typed);
-            return Expression::standard(function, vec![text, count], ty);
+            return Some(Expression::standard(function, vec![text, count], ty));
         }
         let more = self.literal(ty, TypeContext::Exact);
         let arguments = if self.random.chance(1, 2) {
@@ -131,7 +134,7 @@ impl ProgramBuilder<'_, '_> {
         } else {
             vec![text, more]
         };
-        Expression::standard(Function::Concat, arguments, ty)
+        Some(Expression::standard(Function::Concat, arguments, ty))
     }
 }
 

@@ -155,7 +155,19 @@ pub(crate) fn page(
     if let Some(case) = case {
         let _ = write!(text, "{}.\n\n", inline(&case.title));
     }
-    reproduction(&mut text, about, shown);
+    match shown.program.is_empty() && !shown.case.is_empty() {
+        true => {
+            let command = code(&format!(
+                "stickler reproduce '{}' --engine {name} DIR",
+                shown.case
+            ));
+            let _ = write!(
+                text,
+                "{command} writes a program that shows it, and the commands.\n\n"
+            );
+        }
+        false => reproduction(&mut text, about, shown),
+    }
     let by = match shown.is_derived {
         // What a compiler lacks may be promised by nobody whose word binds it.
         _ if shown.basis.is_empty() => "Expected, though no source that binds it says so:".to_owned(),

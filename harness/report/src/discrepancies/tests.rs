@@ -15,7 +15,7 @@ fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
 }
 
 fn write(folder: &Path, events: &[Event]) {
-    let mut pages = Discrepancies::create(folder).expect("a folder");
+    let mut pages = Discrepancies::create(folder, false).expect("a folder");
     events.iter().for_each(|event| pages.take(event));
     pages.finish(&sample::overview(events)).expect("pages");
 }
@@ -45,6 +45,24 @@ fn the_pages_of_a_folder_tell_of_one_run_and_what_others_put_there_stays() {
     fs::remove_file(engine.join("notes.txt")).expect("removed");
     write(folder.path(), &sample::run_of(Vec::new()));
     assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn pages_in_prose_have_no_text_of_a_program() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut cause = sample::cause("`into := 1` is accepted", 3, Verdict::Fail);
+    cause.shown.program = "PROGRAM main into := 1; END_PROGRAM".to_owned();
+    let events = sample::with_causes(sample::run_of(Vec::new()), [cause]);
+    let mut pages = Discrepancies::create(folder.path(), true).expect("a folder");
+    events.iter().for_each(|event| pages.take(event));
+    pages.finish(&sample::overview(&events)).expect("pages");
+    let engine = folder.path().join("discrepancies/reference");
+    for name in names(&engine) {
+        let page = fs::read_to_string(engine.join(&name)).expect("a page");
+        assert!(page.contains("… is accepted"), "{page}");
+        assert!(!page.contains("into :="), "{page}");
+    }
+    assert_eq!(names(&engine).len(), 2);
 }
 
 #[test]
