@@ -23,26 +23,64 @@ function svg(tag, attributes, ...children) {
 function plotOf(one, rows, value) {
   const behaviours = behavioursOf(one);
   if (behaviours.length === 0) return null;
+  behaviours.forEach((behaviour, index) => {
+    behaviour.words = behaviourWords(one, behaviour);
+    const alike = behaviours.slice(0, index).find(({ words }) => words === behaviour.words);
+    behaviour.difference = alike === undefined ? "" : firstDifference(behaviour, alike);
+  });
   const shown = behaviours.slice(0, MAX_PANELS).map((behaviour) => panel(one, rows, behaviour, value));
   const others = behaviours.slice(MAX_PANELS);
   return el("section.plots", { "aria-label": `Plots of ${one.name}` },
     el("p.dim", {}, `${counted(behaviours.length, "behaviour", "behaviours")}; systems that do the same share a panel. `,
-      plotKey("solid", "stated by a source"), plotKey("chosen", "stated by none, chosen for Stickler's model (as hollow dots are)"), plotKey("dot", "a single value that a source states"), plotKey("cross", "something else than the curve"),
-      "Arrow keys move along a view that has the focus."),
+      plotKey("stated", "stated by a source for every system of the panel"), plotKey("partly", "for some of them"), plotKey("chosen", "for none: chosen for Stickler's model (as hollow dots are)"),
+      plotKey("dot", "a single value that a source states"), plotKey("cross", "what a source or compiler gives that is not on the curve: point at it"), plotKey("cursor", "the value that is read below"),
+      "A green band is what the result's type holds, a blue one where results wrap again and again. Arrow keys move along a view that has the focus."),
     shown, others.length === 0 ? null : opening(`${counted(others.length, "more behaviour", "more behaviours")}: ${others.map(({ dialects }) => systemNames(dialects).join(" · ")).join("; ")}`,
       () => others.map((behaviour) => panel(one, rows, behaviour, value)), value !== ""));
 }
 
 /** Returns an entry of the legend. */
 function plotKey(kind, text) {
-  const marks = { solid: () => svg("line", { class: "stated", x1: 1, x2: 29, y1: 7, y2: 7 }), chosen: () => svg("line", { class: "chosen", x1: 1, x2: 29, y1: 7, y2: 7 }),
+  const drawn = (status) => () => svg("line", { class: status, x1: 1, x2: 29, y1: 7, y2: 7 });
+  const marks = { stated: drawn("stated"), partly: drawn("partly"), chosen: drawn("chosen"), cursor: () => svg("circle", { class: "cursor", cx: 15, cy: 7, r: 5 }),
     dot: () => svg("circle", { class: "stated", cx: 15, cy: 7, r: 3.4 }), cross: () => cross(15, 7) };
   return [el("span.key", {}, svg("svg", { viewBox: "0 0 30 14", "aria-hidden": "true" }, marks[kind]()), ` ${text}`), " "];
 }
 
-/** Returns the mark of a value beside the curve. */
-function cross(x, y) {
-  return svg("path", { class: "cross", d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` });
+/** Returns the mark of a value beside the curve; `about` says whose it is. */
+function cross(x, y, about) {
+  return svg("path", { class: "cross", d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` }, about ? svg("title", {}, about) : null);
+}
+
+/** Returns the roundings of numbers with fractions by what they give for 0.5, 1.5, 2.5, -0.5 and -1.5. */
+const ROUNDINGS = {
+  "0 1 2 0 -1": "fractions are cut off",
+  "0 2 2 0 -2": "to the nearest integer, halves to the even one",
+  "1 2 3 -1 -2": "to the nearest integer, halves away from zero",
+  "1 2 3 0 -1": "to the nearest integer, halves to the greater one",
+  "0 1 2 -1 -2": "to the next integer below",
+};
+
+/** Returns in words what a behaviour does, as far as a few of its results show it. */
+function behaviourWords(one, behaviour) {
+  const points = behaviour.views.flatMap((view) => view.points);
+  const at = (x) => points.find((point) => Object.is(point.x, x));
+  const words = [ROUNDINGS[[0.5, 1.5, 2.5, -0.5, -1.5].map((x) => String(at(x)?.y ?? "").replace(/^-0$/, "0")).join(" ")]];
+  const limits = limitsOf(one.result);
+  if (limits !== null) {
+    const beyond = at(limits[1] + 1)?.y;
+    words.push(beyond === limits[0] ? `beyond the limits the low ${WIDTHS[one.result]} bits` : beyond === limits[1] ? "beyond the limits the limit" : undefined);
+  }
+  const ends = [[Infinity, "infinity"], [NaN, "NaN"]].filter(([x]) => at(x) !== undefined).map(([x, name]) => `${name} gives ${at(x).result}`);
+  return [...words, ...ends].filter((word) => word !== undefined && word !== "").join("; ");
+}
+
+/** Returns where a behaviour first does otherwise than another that has the same words. */
+function firstDifference(behaviour, other) {
+  const points = behaviour.views.flatMap((view) => view.points);
+  const others = new Map(other.views.flatMap((view) => view.points).map((point) => [point.operand, point.result]));
+  const found = points.find(({ operand, result }) => others.has(operand) && others.get(operand) !== result);
+  return found === undefined ? "" : `Otherwise than ${systemNames(other.dialects)[0]}: ${found.operand} gives ${found.result}, not ${others.get(found.operand)}.`;
 }
 
 /** Returns the panel of a behaviour: the systems that share it, its views, what is under the cursor, and all of it as a table. */
@@ -62,6 +100,7 @@ function panel(one, rows, behaviour, value) {
   known.show(start, sought || notable(one, start)[0] || start.points[0]);
   return el("figure.panel", {}, el("figcaption", {}, el("h4", {}, systemNames([...judged, ...behaviour.dialects.filter((name) => !judged.includes(name))]).map((name, index) =>
     [index > 0 ? " · " : "", own !== "" && index === 0 && judged[0] === own ? el("strong.own", {}, name) : name]))),
+  behaviour.words === "" ? null : el("p.dim", {}, `${behaviour.words[0].toUpperCase()}${behaviour.words.slice(1)}. ${behaviour.difference}`),
   el("div.views", {}, drawn), readout, bits,
   opening("The same as a table", () => behaviour.views.map((view) => table(viewTitle(one, view), [one.operands[0], one.result, "source"],
     view.points.map((point) => [point.operand, point.result, el("span", {}, ...sourcesOf(view, point, behaviour, judged, singles))]))), false));
@@ -111,15 +150,26 @@ function sourcesOf(view, point, behaviour, judged, singles) {
     deviating.map(({ result, who, basis }) => [" ", el("span.tag.differs", {}, `≠ ${result}`), ` ${who}${basis === null ? "" : `, ${basis}`}`])].flat(4);
 }
 
-/** Returns whether any source states the result of a point for the systems that count. */
-function isStatedPoint({ judged, singles }, view, point) {
-  return judged.some((dialect) => isDocumented(view.basisOf(dialect, point))
-    || singles.some(({ x, y, basis, who }) => x === point.x && y === point.y && isDocumented(basis) && who === titleOf(dialect)));
+/** Returns the class of a mark by how many of the systems that count have a source for it. */
+function statusOf(number, { judged }) {
+  return number === judged.length ? "stated" : number > 0 ? "partly" : "chosen";
 }
 
-/** Returns whether a source states a rule by which the result of a point comes, and not only single results. */
-function isRuled({ judged }, view, point) {
-  return judged.some((dialect) => isDocumented(view.basisOf(dialect, point)));
+/** Returns for how many of the systems that count a source states the result of a point: `stated`, `partly` or `chosen`. */
+function statusOfPoint(known, view, point) {
+  const isStated = (dialect) => isDocumented(view.basisOf(dialect, point))
+    || known.singles.some(({ x, y, basis, who }) => x === point.x && y === point.y && isDocumented(basis) && who === titleOf(dialect));
+  return statusOf(known.judged.filter(isStated).length, known);
+}
+
+/** Returns for how many of them a source states a rule by which the result of a point comes, and not only single results. */
+function statusOfRule(known, view, point) {
+  return statusOf(known.judged.filter((dialect) => isDocumented(view.basisOf(dialect, point))).length, known);
+}
+
+/** Returns the status of what lies between two points. */
+function between(left, right) {
+  return left === right ? left : [left, right].includes("chosen") ? "chosen" : "partly";
 }
 
 /** Returns the scales of a view, from numbers to places in the drawing. */
@@ -198,7 +248,7 @@ function viewOf(known, view, isRead, found) {
   move((sought || told[0] || view.points[0]).index, false);
   return el("div.view", {}, el("div.name", {}, title), drawing,
     el("div.told", {}, [sought, ...told].filter((point, index, all) => point !== undefined && all.indexOf(point) === index).map((point) =>
-      el(point === sought ? "strong" : "span", {}, `${point.operand} → ${point.result}`))));
+      el(point === sought ? "strong" : "span", {}, `${point.operand} → ${point.result}`, { stated: "", partly: " (stated for some)", chosen: " (chosen)" }[statusOfPoint(known, view, point)]))));
 }
 
 /** Returns the index of the sample that is nearest to a place in the drawing. */
@@ -260,7 +310,8 @@ function axisLabel(number) {
 function curveParts(known, view, points, scales) {
   const parts = [];
   const place = ({ x, y }) => [scales.x(x).toFixed(1), scales.y(y).toFixed(1)];
-  const isStated = points.map((point) => isRuled(known, view, point));
+  const status = points.map((point) => statusOfRule(known, view, point));
+  const segment = (index) => between(status[index], status[index + 1]);
   const joined = points.map((point, index) => index + 1 < points.length && isJoined(view, point, points[index + 1]));
   const isLone = (index) => !joined[index] && !(index > 0 && joined[index - 1]);
   for (let index = 0; index < points.length; index++) {
@@ -272,15 +323,15 @@ function curveParts(known, view, points, scales) {
       const width = scales.x(points[end].x) - scales.x(points[index].x);
       parts.push(svg("rect", { class: "wraps", x: scales.x(points[index].x), width, y: scales.y(tops), height: scales.y(bottoms) - scales.y(tops) }),
         width > 44 ? svg("text", { class: "wrapping", x: scales.x(points[index].x) + width / 2, y: VIEW.top - 4, "text-anchor": "middle" }, limitsOf(known.one.result) === null ? "jumps" : "wraps") : null);
-      for (let lone = index; lone <= end; lone++) parts.push(dot(place(points[lone]), 1.3, isStated[lone]));
+      for (let lone = index; lone <= end; lone++) parts.push(dot(place(points[lone]), 1.3, status[lone]));
       index = end;
       continue;
     }
-    if (isLone(index) && view.name === "whole") parts.push(dot(place(points[index]), 1.8, isStated[index]));
+    if (isLone(index) && view.name === "whole") parts.push(dot(place(points[index]), 1.8, status[index]));
     let last = index;
-    while (joined[last] && (isStated[last] && isStated[last + 1]) === (isStated[index] && isStated[index + 1])) last++;
+    while (joined[last] && segment(last) === segment(index)) last++;
     if (last > index) {
-      parts.push(svg("polyline", { class: isStated[index] && isStated[index + 1] ? "stated" : "chosen", points: points.slice(index, last + 1).map((point) => place(point).join(",")).join(" ") }));
+      parts.push(svg("polyline", { class: segment(index), points: points.slice(index, last + 1).map((point) => place(point).join(",")).join(" ") }));
     } else if (index + 1 < points.length && view.name !== "whole" && points[index + 1].x - points[index].x <= 1) {
       const [[x1, y1], [x2, y2]] = [place(points[index]), place(points[index + 1])];
       const middle = (Number(x1) + Number(x2)) / 2;
@@ -291,9 +342,9 @@ function curveParts(known, view, points, scales) {
   // The results of the halves, on which roundings differ; of few samples, all of them.
   const dotted = view.name === "zero" ? (point) => Math.abs(point.x * 2) % 2 === 1 : (point) => points.length <= 60 && view.name === "limits";
   points.forEach((point) => {
-    if (dotted(point)) parts.push(dot(place(point), 3, isStatedPoint(known, view, point)));
+    if (dotted(point)) parts.push(dot(place(point), 3, statusOfPoint(known, view, point)));
   });
-  view.points.filter(({ x }) => !Number.isFinite(x)).forEach((point) => parts.push(dot(place(point), 3.2, isStatedPoint(known, view, point))));
+  view.points.filter(({ x }) => !Number.isFinite(x)).forEach((point) => parts.push(dot(place(point), 3.2, statusOfPoint(known, view, point))));
   const [first, last] = [points[0].x, points[points.length - 1].x];
   const around = (x) => {
     const next = view.points.findIndex((point) => Object.is(point.x, x) || point.x >= x);
@@ -303,15 +354,15 @@ function curveParts(known, view, points, scales) {
   const isBesideHalf = (x) => view.name === "zero" && !Number.isInteger(x * 2) && Math.abs(x * 2 - Math.round(x * 2)) < 0.02;
   for (const single of known.singles.filter(({ x }) => !isBesideHalf(x)).filter(({ x }) => (x >= first && x <= last) || (view.name === "whole" && !Number.isFinite(x)))) {
     const curve = view.points.find(({ x }) => Object.is(x, single.x));
-    if (curve !== undefined && !Object.is(curve.y, single.y)) parts.push(cross(...place(single).map(Number)));
-    else if (isDocumented(single.basis) && !around(single.x).every((point) => isRuled(known, view, point))) parts.push(dot(place(single), 3, true));
+    if (curve !== undefined && !Object.is(curve.y, single.y)) parts.push(cross(...place(single).map(Number), `${single.operand} gives ${single.result}: ${single.who}${single.basis === null ? "" : `, ${single.basis}`}`));
+    else if (isDocumented(single.basis) && !around(single.x).every((point) => statusOfRule(known, view, point) === "stated")) parts.push(dot(place(single), 3, "stated"));
   }
   return parts;
 }
 
 /** Returns a dot: filled where a source states the result. */
-function dot([cx, cy], r, isStated) {
-  return svg("circle", { class: isStated ? "stated" : "chosen", cx, cy, r });
+function dot([cx, cy], r, status) {
+  return svg("circle", { class: status, cx, cy, r });
 }
 
 /** Returns the bits of an operand and those that the result keeps, where a conversion of integers does nothing else. */
