@@ -2,12 +2,12 @@
 
 use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, places, types};
-use super::super::walk::ExpressionContext;
+use super::super::walk::{ExpressionContext, ExpressionSite};
 use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, ExpressionKind, InitialValue, Pou, Program, Statement, Type, Unit, VariableId,
-    VariableSection,
+    Argument, BinaryOperator, Expression, ExpressionKind, InitialValue, Pou, Program, Statement, Type, Unit,
+    VariableId, VariableSection,
 };
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
@@ -160,26 +160,27 @@ fn literals(block: &Pou) -> Option<Vec<String>> {
         .collect()
 }
 
+/// Picks an argument of a VAR_IN_OUT that has an elementary type: returns its number, its place, a copy of it, and its type.
+fn in_out(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ExpressionSite, Expression, ElementaryType)> {
+    let original = fault.original;
+    let (number, site, expression) = fault.pick_expression(|site, expression| {
+        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
+    })?;
+    let ty = elementary(original, &expression.ty)?;
+    Some((number, site, expression, ty))
+}
+
 /// Plants an expression other than a variable as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn no_variable(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
-    let ty = elementary(original, &expression.ty)?;
+    let (number, _, expression, ty) = in_out(fault)?;
     let sum = ty.is_integer() && fault.input.ratio(1, 2).unwrap_or(false);
-    fault.replace(
-        number,
-        if sum {
-            let one = Box::new(literal(ty));
-            ExpressionKind::Binary(BinaryOperator::Add, Box::new(expression), one)
-        } else {
-            literal(ty).kind
-        },
-    );
-    Some(())
+    let kind = match sum {
+        true => ExpressionKind::Binary(BinaryOperator::Add, Box::new(expression), Box::new(literal(ty))),
+        false => literal(ty).kind,
+    };
+    fault.replace(number, kind)
 }
 
 /// Plants a variable of another type, also one that widens elsewhere, as argument of a VAR_IN_OUT.
@@ -187,10 +188,7 @@ pub(super) fn no_variable(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: language/diagnostics-calls.st; widening/in-out.toml.
 pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let (number, site, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
-    let own = elementary(original, &expression.ty)?;
+    let (number, site, _, own) = in_out(fault)?;
     // A type that would widen as an input is the error that is easiest to overlook.
     let widening = fault.input.ratio(1, 2).unwrap_or(true);
     let yes = |ty| implicit(ty, own, original.dialect) == MatrixWord::Yes;
@@ -215,12 +213,9 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn constant(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let (number, site, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
+    let (number, site, expression, ty) = in_out(fault)?;
     // The initial value of the constant is an expression too, so that the others have new numbers behind it.
     fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    let value = literal(elementary(original, &expression.ty)?);
+    let value = literal(ty);
     constants::declare(fault, site.unit, expression.ty, InitialValue::Expression(value)).map(|_| ())
 }
