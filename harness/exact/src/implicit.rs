@@ -1,7 +1,7 @@
 //! Implicit conversion by the documents: the pairs of elementary types that convert without a call, and the converted values.
 //!
-//! The rules here are stated independently of the widening tables of the conformance cases; a test compares the two, cell
-//! by cell.
+//! The rules here are stated independently of the widening tables of the conformance cases; a test of `stickler-tabulate`
+//! compares the two, cell by cell.
 
 use crate::{integer, moment, real};
 use stickler_types::documents::DocumentedImplicit;
