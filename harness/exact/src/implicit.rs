@@ -99,10 +99,8 @@ fn rusty(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     match (from, to) {
         (String | Char, _) if is_magnitude(to) => MatrixWord::No,
         (_, String | Char) if is_magnitude(from) || is_text(from) => MatrixWord::No,
-        _ => match keeps_its_value(from, to) {
-            true => MatrixWord::Yes,
-            false => MatrixWord::Open,
-        },
+        _ if keeps_its_value(from, to) => MatrixWord::Yes,
+        _ => MatrixWord::Open,
     }
 }
 
