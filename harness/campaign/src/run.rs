@@ -212,10 +212,10 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
         if is_due && let Some(mismatch) = self.next_reduction() {
             return Some(CampaignTask::Reduce(mismatch));
         }
-        if let Some((number, places)) = self.next_batch() {
-            return Some(CampaignTask::Judge { number, places });
-        }
-        self.next_reduction().map(CampaignTask::Reduce)
+        let batch = self.next_batch();
+        batch
+            .map(|(number, places)| CampaignTask::Judge(number, places))
+            .or_else(|| self.next_reduction().map(CampaignTask::Reduce))
     }
 
     fn take(&mut self, done: Done) {
