@@ -1,9 +1,12 @@
 //! A finding: a disagreement, reduced, with all that is needed to see it again.
 
+use crate::oracle::Mismatch;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use stickler_causes::CauseKey;
+use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
+use stickler_reduce::{Reduction, StopReason};
 use stickler_types::{DialectName, Fnv1a};
 
 /// The version of the form in which findings are saved.
@@ -154,6 +157,46 @@ pub struct EngineReport {
 }
 
 impl Finding {
+    /// Begins the finding of a mismatch that `target` found, of which nothing else is known yet: it is flaky, and has no program.
+    pub(crate) fn begin(target: &str, mismatch: &Mismatch, seed: u64) -> Finding {
+        Finding {
+            format: FORMAT,
+            id: String::new(),
+            stickler: env!("CARGO_PKG_VERSION").to_owned(),
+            target: target.to_owned(),
+            engine: None,
+            symptom: mismatch.symptom.clone(),
+            rule: Vec::new(),
+            cause: None,
+            dialect: None,
+            standing: Confirmation::Flaky,
+            origin: FindingOrigin {
+                seed,
+                place: mismatch.place,
+                open: false,
+                smallest: false,
+                tries: 1,
+                size_found: 0,
+                size: 0,
+            },
+            message: String::new(),
+            expected: ExpectedBehavior::Property { claim: String::new() },
+            outcomes: Vec::new(),
+            reproduce: Vec::new(),
+            fingerprint: String::new(),
+            program: None,
+            original: None,
+            input: Vec::new(),
+        }
+    }
+
+    /// Enters a program that the input stands for, as small as it was made, and how much that took.
+    pub(crate) fn enter(&mut self, reduced: &Reduction<Program>) {
+        self.dialect = Some(reduced.value.dialect.as_str().to_owned());
+        self.origin.smallest = reduced.ended == StopReason::Smallest;
+        self.origin.tries = self.origin.tries.saturating_add(reduced.tries);
+    }
+
     /// Names the finding by what it is, so that it has the same name whoever finds it.
     #[must_use]
     pub fn named(mut self) -> Finding {

@@ -44,7 +44,7 @@ pub use plan::{CampaignPlan, Until};
 pub use promote::{CaseHead, FOUND, PromoteError, Promoted, check_name, promote};
 pub use record::{CampaignRequest, Record};
 pub use replay::{Replayed, replay};
-pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignProgress, CampaignSummary, run};
+pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignSummary, run};
 pub use store::{Saved, Store, StoreError, load};
 pub use survey::{FailingPart, Survey, SurveyPlan, survey};
 pub use targets::TargetOracle;

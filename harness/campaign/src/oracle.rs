@@ -30,7 +30,7 @@ pub trait Worker {
 }
 
 /// The verdict on one input.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct InputVerdict {
     /// The place of the input in the row of the seed.
     pub place: u64,
@@ -64,18 +64,5 @@ impl Mismatch {
             && finding.kind() == kind(&self.symptom)
             && !finding.rule.is_empty()
             && finding.rule.iter().all(|part| self.rule.contains(part))
-    }
-}
-
-impl InputVerdict {
-    /// Returns the verdict on an input over which nobody disagrees.
-    #[must_use]
-    pub const fn agreed(place: u64) -> InputVerdict {
-        InputVerdict {
-            place,
-            passed_over: None,
-            mismatches: Vec::new(),
-            deaths: 0,
-        }
     }
 }

@@ -1,7 +1,6 @@
 //! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
 
 use crate::finding::{Confirmation, ExpectedBehavior, Finding, ObservedValue};
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -197,29 +196,11 @@ fn header(finding: &Finding, title: Option<&str>, basis: &str, dialect: &str) ->
 
 /// A TOML string that can stand in a comment of ST, with no comment in it.
 fn toml_string(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    let mut before = ' ';
-    for character in text.chars() {
-        match character {
-            '"' | '\\' => {
-                quoted.push('\\');
-                quoted.push(character);
-            }
-            ')' if before == '*' => quoted.push_str("\\u0029"),
-            '*' if before == '(' => {
-                quoted.pop();
-                quoted.push_str("\\u0028*");
-            }
-            control if control.is_control() => {
-                // Writing to a String cannot fail.
-                let _ = write!(quoted, "\\u{:04X}", u32::from(control));
-            }
-            other => quoted.push(other),
-        }
-        before = character;
-    }
-    quoted.push('"');
-    quoted
+    // A string of JSON is one of TOML, but for this character.
+    let quoted = serde_json::Value::from(text)
+        .to_string()
+        .replace('\u{7F}', "\\u007F");
+    quoted.replace("*)", "*\\u0029").replace("(*", "\\u0028*")
 }
 
 fn with_values(program: &str, values: &[ObservedValue]) -> String {

@@ -20,21 +20,10 @@ use tasks::{CampaignTask, Done, TaskResult};
 /// An event of a campaign that goes on.
 #[derive(Debug)]
 pub enum CampaignEvent<'a> {
-    /// The progress of the campaign.
-    Progress(CampaignProgress),
+    /// The progress of the campaign, as far as it has come.
+    Progress(&'a CampaignSummary),
     /// A finding that is new, or better than the earlier one of that name.
     Found(&'a Finding),
-}
-
-/// The progress of a campaign.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct CampaignProgress {
-    /// Inputs that were judged or passed over.
-    pub programs: u64,
-    /// Disagreements, whatever became of them.
-    pub disagreements: u64,
-    /// Findings that differ.
-    pub findings: u64,
 }
 
 /// The result of a campaign.
@@ -223,10 +212,10 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
         if is_due && let Some(mismatch) = self.next_reduction() {
             return Some(CampaignTask::Reduce(mismatch));
         }
-        if let Some((number, places)) = self.next_batch() {
-            return Some(CampaignTask::Judge { number, places });
-        }
-        self.next_reduction().map(CampaignTask::Reduce)
+        let batch = self.next_batch();
+        batch
+            .map(|(number, places)| CampaignTask::Judge(number, places))
+            .or_else(|| self.next_reduction().map(CampaignTask::Reduce))
     }
 
     fn take(&mut self, done: Done) {
@@ -250,11 +239,7 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
             }
             TaskResult::Panicked => {}
         }
-        (self.tell)(CampaignEvent::Progress(CampaignProgress {
-            programs: self.summary.programs,
-            disagreements: self.summary.disagreements.values().sum(),
-            findings: self.summary.findings.len() as u64,
-        }));
+        (self.tell)(CampaignEvent::Progress(&self.summary));
     }
 }
 

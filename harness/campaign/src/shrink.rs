@@ -3,7 +3,6 @@
 //! A value that is made from bytes takes its first, simplest choice where a byte is 0 and where bytes have run out; so fewer
 //! bytes and more zeros make for smaller values.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_reduce::{Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, minimise};
 
 const METHOD: ReductionMethod<'_, Vec<u8>> = ReductionMethod {
@@ -31,11 +30,6 @@ const METHOD: ReductionMethod<'_, Vec<u8>> = ReductionMethod {
             bytes.iter().map(|&byte| u128::from(byte)).sum(),
         )
     },
-    key: |bytes| {
-        let mut hasher = DefaultHasher::new();
-        bytes.hash(&mut hasher);
-        hasher.finish()
-    },
 };
 
 /// Makes bytes as few and as small as they can be while they stay interesting.
@@ -47,7 +41,7 @@ pub(crate) fn bytes(
     minimise(
         start,
         &METHOD,
-        &mut |bytes| Interestingness::from(interesting(bytes)),
+        &mut |bytes: &Vec<u8>| Interestingness::from(interesting(bytes)),
         budget,
     )
 }

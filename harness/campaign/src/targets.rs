@@ -63,7 +63,10 @@ impl Worker for &TargetOracle {
 impl TargetOracle {
     fn judge_one(&self, place: u64) -> InputVerdict {
         let target = self.target(place);
-        let mut verdict = InputVerdict::agreed(place);
+        let mut verdict = InputVerdict {
+            place,
+            ..InputVerdict::default()
+        };
         let input = self.input(place);
         match target.judge(&input) {
             Ok(InputOutcome::Checked) => {}

@@ -24,8 +24,7 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 use stickler_engines::EngineError;
 use stickler_reduce::{
-    Interestingness, ReductionBudget, ReductionMethod, ReferenceRules, StopReason, TextDraft,
-    minimise_in_packs,
+    Interestingness, ReductionBudget, ReductionMethod, ReferenceRules, StopReason, TextDraft, minimise,
 };
 use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
@@ -185,7 +184,7 @@ impl NormalSearch<'_, '_> {
             is_start: true,
             error: None,
         };
-        let found = minimise_in_packs(start, method, &mut judge, &budget);
+        let found = minimise(start, method, &mut judge, &budget);
         let error = judge.error;
         if found.ended == StopReason::OutOfTries {
             self.left = 0;

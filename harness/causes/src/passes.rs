@@ -134,7 +134,6 @@ pub(crate) fn structure_method(symptom: &Symptom) -> ReductionMethod<'static, Te
     ReductionMethod {
         passes: structure_passes(symptom),
         weight: structure,
-        ..METHOD
     }
 }
 
@@ -155,6 +154,5 @@ pub(crate) fn plain_method(with_numbers: bool) -> ReductionMethod<'static, TextD
             &[PLAINER_TYPE]
         },
         weight: |draft: &TextDraft| (0, read(draft.text(), plainness)),
-        ..METHOD
     }
 }

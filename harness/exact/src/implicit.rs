@@ -1,7 +1,7 @@
 //! Implicit conversion by the documents: the pairs of elementary types that convert without a call, and the converted values.
 //!
-//! The rules here are stated independently of the widening tables of the conformance cases; a test compares the two, cell
-//! by cell.
+//! The rules here are stated independently of the widening tables of the conformance cases; a test of `stickler-tabulate`
+//! compares the two, cell by cell.
 
 use crate::{integer, moment, real};
 use stickler_types::documents::DocumentedImplicit;
@@ -99,10 +99,8 @@ fn rusty(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     match (from, to) {
         (String | Char, _) if is_magnitude(to) => MatrixWord::No,
         (_, String | Char) if is_magnitude(from) || is_text(from) => MatrixWord::No,
-        _ => match keeps_its_value(from, to) {
-            true => MatrixWord::Yes,
-            false => MatrixWord::Open,
-        },
+        _ if keeps_its_value(from, to) => MatrixWord::Yes,
+        _ => MatrixWord::Open,
     }
 }
 

@@ -21,5 +21,5 @@ pub use program::{
     VariableSection,
 };
 pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, ForLoop, Statement};
-pub(crate) use statement::{assign, integer, whole};
+pub(crate) use statement::{assign, controlled, integer, whole};
 pub use visitor::{visit, visit_mut};

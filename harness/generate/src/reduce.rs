@@ -5,5 +5,5 @@
 mod program;
 mod symptom;
 
-pub use program::{program, program_in_packs};
+pub use program::program;
 pub use symptom::{OutcomeSymptom, UnknownSymptom, deviation, diagnostic_line};

@@ -3,6 +3,7 @@
 use crate::outcomes::{MutantFate, MutantOutcome};
 use anyhow::Context as _;
 use serde::Deserialize;
+use stickler_types::words;
 
 const TEXT: &str = include_str!("../survivors.toml");
 
@@ -29,18 +30,20 @@ struct ExplainedSurvivor {
     reason: String,
 }
 
-/// The kind of reason for which a mutant survives.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ExplanationKind {
-    /// No input tells the mutant from the original.
-    Equivalent,
-    /// The mutant differs only where no document says what must come.
-    Open,
-    /// The mutant differs only in what a case cannot see: a message, a suggestion, a position within a line.
-    Unseen,
-    /// No program reaches the code: it is for a choice that no dialect makes, or for other callers than the suite.
-    Unused,
+words! {
+    /// The kind of reason for which a mutant survives.
+    #[derive(Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    ExplanationKind {
+        /// No input tells the mutant from the original.
+        Equivalent = "equivalent",
+        /// The mutant differs only where no document says what must come.
+        Open = "open",
+        /// The mutant differs only in what a case cannot see: a message, a suggestion, a position within a line.
+        Unseen = "unseen",
+        /// No program reaches the code: it is for a choice that no dialect makes, or for other callers than the suite.
+        Unused = "unused",
+    }
 }
 
 impl Explained {
@@ -69,20 +72,13 @@ impl Explained {
     #[must_use]
     pub fn kinds(&self, outcomes: &[MutantOutcome]) -> Vec<Option<ExplanationKind>> {
         let mut left: Vec<(&ExplainedSurvivor, &str)> = self.changes().collect();
-        let mut kind = |outcome: &MutantOutcome| {
-            let at = left
-                .iter()
-                .position(|(entry, change)| explains(entry, change, outcome))?;
+        let kind = |outcome: &MutantOutcome| {
+            let explained = |(entry, change): &(&ExplainedSurvivor, &str)| explains(entry, change, outcome);
+            let survives = outcome.fate == MutantFate::Survived;
+            let at = left.iter().position(|listed| survives && explained(listed))?;
             Some(left.swap_remove(at).0.kind)
         };
-        outcomes
-            .iter()
-            .map(|outcome| {
-                (outcome.fate == MutantFate::Survived)
-                    .then(|| kind(outcome))
-                    .flatten()
-            })
-            .collect()
+        outcomes.iter().map(kind).collect()
     }
 
     /// Returns the changes of the list that were tried and killed.

@@ -4,9 +4,8 @@
 //! after some hundred cases.
 
 use std::collections::HashMap;
-use stickler_mutants_judge::prepared::{PreparedAcceptance, PreparedCase, PreparedExpectation};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue};
-use stickler_types::{Observation, Setting};
+use stickler_mutants_judge::prepared::{PreparedCase, PreparedExpectation};
+use stickler_suite::{Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue};
 
 /// Returns all cases but those with a code that the reference does not give, in the order in which they are judged.
 #[must_use]
@@ -22,20 +21,14 @@ fn is_judged(case: &Case) -> bool {
 }
 
 fn prepared(case: &Case) -> PreparedCase {
-    let observe = |observe: &Observation| (observe.name.to_string(), observe.after.unwrap_or_default());
-    let set = |set: &Setting| (set.before, set.name.to_string(), set.value.to_string());
     PreparedCase {
         key: case.key(),
         dialect: case.dialect.as_str().to_owned(),
         source: case.source.to_string(),
         scans: case.scans,
-        observe: case.observe.iter().map(observe).collect(),
-        set: case.set.iter().map(set).collect(),
-        clock: case
-            .clock
-            .iter()
-            .map(|time| (time.before, time.nanoseconds))
-            .collect(),
+        observe: case.observe.to_vec(),
+        set: case.set.to_vec(),
+        clock: case.clock.to_vec(),
         expectation: expectation(&case.expectation),
     }
 }
@@ -53,11 +46,7 @@ fn expectation(expectation: &Expectation) -> PreparedExpectation {
     };
     let value = |expected: &ExpectedValue| (expected.key().to_string(), expected.value.to_string());
     PreparedExpectation {
-        acceptance: match expectation.accepted {
-            Acceptance::Required => PreparedAcceptance::Required,
-            Acceptance::Rejected => PreparedAcceptance::Rejected,
-            Acceptance::Observed => PreparedAcceptance::Observed,
-        },
+        acceptance: expectation.accepted,
         diagnostics: reported(&expectation.diagnostics),
         warnings: reported(&expectation.warnings),
         clean_lines: expectation.clean_lines.clone(),
@@ -102,7 +91,7 @@ mod tests {
     use std::path::Path;
     use std::sync::LazyLock;
     use stickler_mutants_judge::judge::complaint;
-    use stickler_suite::Suite;
+    use stickler_suite::{Acceptance, Suite};
 
     static SUITE: LazyLock<Suite> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
@@ -135,9 +124,9 @@ mod tests {
             let expectation = &mut other.expectation;
             match (expectation.acceptance, &mut expectation.fault) {
                 (_, Some((line, _))) => *line += 1,
-                (PreparedAcceptance::Required, None) => expectation.acceptance = PreparedAcceptance::Rejected,
-                (PreparedAcceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001".to_owned())),
-                (PreparedAcceptance::Observed, None) => continue,
+                (Acceptance::Required, None) => expectation.acceptance = Acceptance::Rejected,
+                (Acceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001".to_owned())),
+                (Acceptance::Observed, None) => continue,
             }
             assert!(complaint(&other).is_some(), "{}", case.key);
         }

@@ -90,33 +90,22 @@ fn module(file: &str, by_file: bool) -> String {
     place.unwrap_or(file).to_owned()
 }
 
-/// The kinds of explanations, in the order of their columns.
-const KINDS: [ExplanationKind; 4] = [
-    ExplanationKind::Equivalent,
-    ExplanationKind::Open,
-    ExplanationKind::Unseen,
-    ExplanationKind::Unused,
-];
-
 /// A line of the table.
 #[derive(Default)]
 struct MutantCounts {
     killed: usize,
     survived: usize,
-    /// The number of those that survive for a reason of each of [`KINDS`].
-    explained: [usize; KINDS.len()],
+    /// The number of those that survive for a reason of each kind.
+    explained: [usize; ExplanationKind::ALL.len()],
 }
 
 impl MutantCounts {
     fn add(&mut self, mutant: &JudgedMutant) {
-        let column = mutant
-            .kind
-            .and_then(|kind| KINDS.iter().position(|known| *known == kind));
-        match (mutant.outcome.fate, column) {
+        match (mutant.outcome.fate, mutant.kind) {
             (MutantFate::Unviable, _) => {}
             (MutantFate::Killed, _) => self.killed += 1,
             (MutantFate::Survived, None) => self.survived += 1,
-            (MutantFate::Survived, Some(column)) => self.explained[column] += 1,
+            (MutantFate::Survived, Some(kind)) => self.explained[kind as usize] += 1,
         }
     }
 
@@ -174,9 +163,10 @@ pub fn table(mutants: &[JudgedMutant], by_file: bool) -> String {
 
 /// Returns the heading of the table; its last column leaves out what is explained.
 fn heading(first: &str) -> String {
+    let explained: String = ExplanationKind::ALL.map(|kind| format!("{kind:>11}")).concat();
     format!(
-        "{first:32}{:>8}{:>8}{:>9}{:>11}{:>11}{:>11}{:>11}{:>13}{:>9}\n",
-        "mutants", "killed", "rate", "equivalent", "open", "unseen", "unused", "unexplained", "rate"
+        "{first:32}{:>8}{:>8}{:>9}{explained}{:>13}{:>9}\n",
+        "mutants", "killed", "rate", "unexplained", "rate"
     )
 }
 

@@ -4,7 +4,7 @@ use crate::rules::TextRules;
 use crate::{Sites, TextView};
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::{Hash, Hasher};
 use std::rc::Rc;
 use stickler_syntax::{Edits, tokens};
 use stickler_types::{Dialect, DialectName};
@@ -98,6 +98,13 @@ impl TextDraft {
     }
 }
 
+/// Equal texts are the same candidate.
+impl Hash for TextDraft {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+    }
+}
+
 /// Returns the weight of a text: first the number of its tokens, then that of their characters; blanks weigh nothing, and
 /// literals little, because everything is to become a literal.
 pub(crate) fn weight(draft: &TextDraft) -> (u64, u128) {
@@ -111,11 +118,4 @@ pub(crate) fn weight(draft: &TextDraft) -> (u64, u128) {
         size += 100 * word.len() as u128 + digits;
     }
     (parts, size)
-}
-
-/// Returns a key that is equal for equal texts.
-pub(crate) fn key(draft: &TextDraft) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    draft.text.hash(&mut hasher);
-    hasher.finish()
 }

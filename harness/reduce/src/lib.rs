@@ -3,7 +3,7 @@
 //! | what | where |
 //! |---|---|
 //! | a source text made small, by passes and a predicate, or a judge of several texts at a time | [`text`], [`text_in_packs`] |
-//! | anything made small, by [`Pass`]es of its own; candidates one by one, or in packs | [`minimise`], [`minimise_in_packs`] |
+//! | anything made small, by [`Pass`]es of its own; candidates one by one, or in packs | [`minimise`] |
 //! | the passes for texts, alone or beside others in a [`ReductionMethod`] | [`PASSES`], [`text_pass!`] |
 //! | a text under reduction, and what a pass asks of it | [`TextDraft`], [`TextView`] |
 //!
@@ -27,7 +27,7 @@ pub use passes::declarations::{drop_units, drop_unused};
 pub use rules::{ReferenceRules, TextRules, TextState};
 pub use search::{
     CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, StopReason,
-    minimise, minimise_in_packs,
+    minimise,
 };
 pub use view::TextView;
 

@@ -5,8 +5,8 @@ use crate::passes::literals::{LiteralStep, lessen};
 use crate::passes::{arrays, chunks, declarations, expressions, initial_values, parameters, statements};
 use crate::rules::ReferenceRules;
 use crate::{
-    CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason,
-    minimise_in_packs, text_pass,
+    CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise,
+    text_pass,
 };
 use std::rc::Rc;
 use stickler_types::DialectName;
@@ -90,7 +90,6 @@ pub const PASSES: &[Pass<TextDraft>] = &[
 pub const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
     passes: PASSES,
     weight: draft::weight,
-    key: draft::key,
 };
 
 /// Makes a source text as small as possible while it stays interesting.
@@ -117,7 +116,7 @@ pub fn text_in_packs(
 ) -> Reduction<String> {
     let rules = Rc::new(ReferenceRules::new(start, dialect));
     let draft = TextDraft::new(start, dialect, rules);
-    let found = minimise_in_packs(draft, &METHOD, &mut AllowedTexts(&mut *judge), budget);
+    let found = minimise(draft, &METHOD, &mut AllowedTexts(&mut *judge), budget);
     let mut found = found.map(|draft| draft.text().to_owned());
     if found.ended == StopReason::Smallest
         && let Ok(rendered) = stickler_reference::render(&found.value, dialect)

@@ -11,6 +11,7 @@
 //! "Test-Case Reduction for C Compiler Bugs" (passes to a fixpoint).
 
 use std::collections::HashSet;
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher, Hash};
 use std::ops::Range;
 
 /// The result of the test of a candidate.
@@ -87,8 +88,11 @@ pub struct ReductionMethod<'p, T> {
     pub passes: &'p [Pass<T>],
     /// Returns the weight of a subject. Only lighter candidates are tried, so that every reduction terminates.
     pub weight: fn(&T) -> (u64, u128),
-    /// Returns a key that is equal for equal subjects; a candidate with the key of an earlier one is not tried again.
-    pub key: fn(&T) -> u64,
+}
+
+/// Returns a key that is equal for equal subjects; a candidate with the key of an earlier one is not tried again.
+fn key<T: Hash>(subject: &T) -> u64 {
+    BuildHasherDefault::<DefaultHasher>::default().hash_one(subject)
 }
 
 /// The limits of a reduction.
@@ -174,25 +178,14 @@ impl<T, F: FnMut(&T) -> Interestingness + ?Sized> CandidateJudge<T> for F {
     }
 }
 
-/// Makes `start` as small as the passes can, asking `interesting` about the start and each candidate.
+/// Makes `start` as small as the passes can, asking the judge about the start and each candidate.
 ///
 /// The same start and the same answers give the same result. Each interesting candidate becomes the base of the next ones,
 /// so the result was interesting when it was tried.
-pub fn minimise<T: Clone>(
-    start: T,
-    method: &ReductionMethod<'_, T>,
-    interesting: &mut dyn FnMut(&T) -> Interestingness,
-    budget: &ReductionBudget<'_>,
-) -> Reduction<T> {
-    minimise_in_packs(start, method, &mut |candidate: &T| interesting(candidate), budget)
-}
-
-/// Makes `start` as small as the passes can, like [`minimise`], with a judge that may be asked about several candidates at a
-/// time.
 ///
 /// The candidates of a pack are those that would be tried one after the other if none of them were interesting; of those that
 /// are, the first is taken. So the result is the same whatever the size of the packs is, and only the number of tries grows.
-pub fn minimise_in_packs<T: Clone>(
+pub fn minimise<T: Clone + Hash>(
     start: T,
     method: &ReductionMethod<'_, T>,
     judge: &mut dyn CandidateJudge<T>,
@@ -200,7 +193,7 @@ pub fn minimise_in_packs<T: Clone>(
 ) -> Reduction<T> {
     let mut search = PassSearch {
         weight: (method.weight)(&start),
-        seen: HashSet::from([(method.key)(&start)]),
+        seen: HashSet::from([key(&start)]),
         best: start,
         method,
         width: judge.pack_size().min(FIRST_PACK_LEN),
@@ -260,7 +253,7 @@ struct CandidatePack<T> {
     keys: Vec<u64>,
 }
 
-impl<T: Clone> PassSearch<'_, T> {
+impl<T: Clone + Hash> PassSearch<'_, T> {
     /// Runs all passes repeatedly until a round changes nothing.
     fn rounds(&mut self) -> StopReason {
         loop {
@@ -382,7 +375,7 @@ impl<T: Clone> PassSearch<'_, T> {
         if !sites.changed || (self.method.weight)(&candidate) >= self.weight {
             return None;
         }
-        let key = (self.method.key)(&candidate);
+        let key = key(&candidate);
         (!self.seen.contains(&key)).then_some((candidate, key))
     }
 

@@ -6,7 +6,7 @@ use std::ops::Range;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
     CaseLabel, Expression, ExpressionId, Initializer, Name, Pou, SourceUnit, Statement, StatementKind,
-    TypeDeclaration, TypeSpecification, VariableBlock, VariableGroup,
+    TypeSpecification, VariableBlock, VariableGroup,
 };
 use stickler_syntax::visitor::{Context, Part, Place, Visitor, bodies, walk};
 use stickler_syntax::{Edits, Tokens, parse, tokens};
@@ -93,17 +93,13 @@ impl<'t> TextView<'t> {
         self.unit.pous().flat_map(groups)
     }
 
-    /// Returns the declarations of types.
-    pub fn types(&self) -> impl Iterator<Item = &'t TypeDeclaration<'t>> {
-        self.unit.types()
-    }
-
     /// Returns the type of every variable, field and declared type, with the initial value beside it.
     #[must_use]
     pub fn specifications(&self) -> Vec<(&'t TypeSpecification<'t>, Option<&'t Initializer<'t>>)> {
         let groups = self.parts().groups.into_iter();
         let variables = groups.map(|group| (&group.specification, group.initializer.as_ref()));
         let types = self
+            .unit
             .types()
             .map(|one| (&one.specification, one.initializer.as_ref()));
         variables.chain(types).collect()

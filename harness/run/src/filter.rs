@@ -102,7 +102,8 @@ fn is_key(text: &str, id: &str, dialect: &str) -> bool {
 
 /// Returns whether `text` consists of `pattern`'s pieces in their order, the first at the start and the last at the end.
 /// Takes linear time but for the search of each piece.
-fn pattern_fits(pattern: &str, text: &str) -> bool {
+#[must_use]
+pub fn pattern_fits(pattern: &str, text: &str) -> bool {
     let Some((first, rest)) = pattern.split_once('*') else {
         return pattern == text;
     };

@@ -37,7 +37,7 @@ pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, He
 pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
-pub use filter::{Filter, select};
+pub use filter::{Filter, pattern_fits, select};
 pub use inherited::{dialect_headers, drop_changed_cases};
 pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
 pub use lacks::Lacks;

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
-use stickler_types::{ClockSetting, Code, ElementaryType, Observation, Setting, Severity, Value};
+use stickler_types::{Acceptance, ClockSetting, Code, ElementaryType, Observation, Setting, Severity, Value};
 
 use crate::assembly::{Assembly, contradiction, shared};
 use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, ValueLine};
-use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
+use crate::model::{Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
 use crate::timing::{self, Variables};
 

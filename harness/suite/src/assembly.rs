@@ -2,9 +2,9 @@
 
 use std::sync::{Arc, LazyLock};
 
-use stickler_types::{ClockSetting, ElementaryType, Observation, Setting, Value};
+use stickler_types::{Acceptance, ClockSetting, ElementaryType, Observation, Setting, Value};
 
-use crate::model::{Acceptance, Expectation, ExpectedDiagnostic};
+use crate::model::{Expectation, ExpectedDiagnostic};
 
 /// The claims that all marks of a case make together.
 #[derive(Clone, Debug, Default)]

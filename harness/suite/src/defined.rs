@@ -3,10 +3,10 @@
 //! Their values come from exact arithmetic with the choices of the definition.
 
 use crate::citations::NOT_STATED;
-use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
+use crate::model::{Case, Expectation, ExpectedValue};
 use std::sync::Arc;
 use stickler_exact::{ImplicitResult, Signature, expected, is_overridden, signature_of, signatures};
-use stickler_types::{DialectName, ElementaryType, Question, Value};
+use stickler_types::{Acceptance, DialectName, ElementaryType, Question, Value};
 
 /// Returns what a value becomes where a definition states that a pair of types converts implicitly: the result of
 /// `<FROM>_TO_<TO>`, or `Open` where no document or definition says what that is.

@@ -65,11 +65,12 @@ pub use features::{Feature, FeatureKey, FeatureSupport, Features};
 pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{
-    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
+    Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{CheckedQuote, QuoteResult, Source, SourceKind, Sources, ToldSymptom, address_of};
 pub use statements::SourceStatement;
+pub use stickler_types::Acceptance;
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
 pub use unmarked::without_blank_lines;

@@ -9,8 +9,8 @@ use crate::citations::is_stated;
 use crate::places::Placement;
 
 use stickler_types::{
-    ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, Question, RunRequest,
-    Setting, Value,
+    Acceptance, ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, Question,
+    RunRequest, Setting, Value,
 };
 
 /// One program in one dialect, with one expectation.
@@ -196,20 +196,6 @@ impl Expectation {
             Acceptance::Observed => true,
         }
     }
-}
-
-/// Whether a program must be accepted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Acceptance {
-    /// No error may be given.
-    #[default]
-    Required,
-    /// The program must be rejected with the errors that the expectation lists, at least one, and no others.
-    Rejected,
-    /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
-    #[serde(rename = "open")]
-    Observed,
 }
 
 /// A diagnostic that must be there.

@@ -77,7 +77,7 @@ pub use near::joined;
 pub use numbers::{counted, grouped};
 pub use observed_value::deserialize_expected;
 pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
-pub use outcome::{NamedValue, Outcome};
+pub use outcome::{Acceptance, NamedValue, Outcome};
 pub use question::{ConversionCall, Question, TypePair, UnknownQuestion, is_part};
 pub use random::SplitMix64;
 pub use recording_origin::RecordingOrigin;

@@ -4,6 +4,20 @@ use crate::{Diagnostic, Fault, Value};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
+/// Whether a program must be accepted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Acceptance {
+    /// No error may be given.
+    #[default]
+    Required,
+    /// The program must be rejected with the errors that the expectation lists, at least one, and no others.
+    Rejected,
+    /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
+    #[serde(rename = "open")]
+    Observed,
+}
+
 /// A value with the name under which it was requested (`q`, `a[1]`, `q@3`; see
 /// [`Observation::key`](crate::Observation::key)).
 pub type NamedValue = (String, Value);

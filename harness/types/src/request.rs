@@ -119,7 +119,7 @@ impl fmt::Display for ObservationKey<'_> {
 }
 
 /// A variable that is written before a scan.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Setting {
     /// The scan, counted from 1.
     pub before: u32,
@@ -130,7 +130,7 @@ pub struct Setting {
 }
 
 /// The simulated time at which a scan begins.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct ClockSetting {
     /// The scan, counted from 1.
     pub before: u32,

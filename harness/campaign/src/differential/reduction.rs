@@ -5,7 +5,7 @@ use super::question::{Agreement, EvaluatedProgram};
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
 use crate::finding::{
-    Confirmation, DIFFERENTIAL, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+    Confirmation, DIFFERENTIAL, EngineReport, ExpectedBehavior, Finding, FindingOrigin, ObservedValue,
 };
 use crate::oracle::Mismatch;
 use stickler_causes::CauseKey;
@@ -49,7 +49,7 @@ impl DifferentialWorker<'_> {
             opened,
             going,
         };
-        let reduced = reduce::program_in_packs(&start, &mut judge, &budget);
+        let reduced = reduce::program(&start, &mut judge, &budget);
         let again = judge.shows(std::slice::from_ref(&reduced.value));
         let is_seen = reduced.ended != StopReason::NotInteresting && again == [Interestingness::Interesting];
         // What was seen once and not again is kept as it was found: a part of it may be nothing at all.
@@ -57,16 +57,19 @@ impl DifferentialWorker<'_> {
             true => (Confirmation::Confirmed, reduced.value),
             false => (Confirmation::Flaky, start.clone()),
         };
+        let begun = Finding::begin(DIFFERENTIAL, mismatch, oracle.inputs.seed());
         let origin = FindingOrigin {
-            seed: oracle.inputs.seed(),
-            place,
             open: oracle.open,
             smallest: reduced.ended == StopReason::Smallest && self.gone(index).is_none(),
             tries: reduced.tries,
-            size_found: 0,
-            size: 0,
+            ..begun.origin
         };
-        self.written_down(index, mismatch, &start, program, standing, origin)
+        let begun = Finding {
+            standing,
+            origin,
+            ..begun
+        };
+        self.written_down(index, mismatch, &start, program, begun)
     }
 
     fn tries(&self, index: usize, mismatch: &Mismatch) -> u64 {
@@ -84,8 +87,7 @@ impl DifferentialWorker<'_> {
         mismatch: &Mismatch,
         start: &Program,
         program: Program,
-        standing: Confirmation,
-        origin: FindingOrigin,
+        begun: Finding,
     ) -> Finding {
         let original = EvaluatedProgram::new(start.clone())
             .map(|subject| subject.text)
@@ -107,31 +109,23 @@ impl DifferentialWorker<'_> {
                 SeenAgain::default(),
             ),
         };
-        let is_small = standing == Confirmation::Confirmed && origin.smallest;
+        let is_small = begun.standing == Confirmation::Confirmed && begun.origin.smallest;
         let finding = Finding {
-            format: FORMAT,
-            id: String::new(),
-            stickler: env!("CARGO_PKG_VERSION").to_owned(),
-            target: DIFFERENTIAL.to_owned(),
             engine: Some(self.oracle.engines[index].info()),
-            symptom: mismatch.symptom.clone(),
             rule,
             cause: seen.cause.filter(|_| is_small),
             dialect: Some(dialect.as_str().to_owned()),
-            standing,
             origin: FindingOrigin {
                 size_found: lines(&original),
                 size: lines(&text),
-                ..origin
+                ..begun.origin
             },
             message: seen.message.unwrap_or_else(|| self.unseen(index, mismatch)),
             expected,
             outcomes: seen.outcomes,
-            reproduce: Vec::new(),
-            fingerprint: String::new(),
             program: Some(text),
             original: Some(original),
-            input: Vec::new(),
+            ..begun
         }
         .named();
         Finding {

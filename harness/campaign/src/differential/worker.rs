@@ -43,7 +43,10 @@ impl<'b> DifferentialWorker<'b> {
     }
 
     fn input(&self, place: u64) -> JudgedInput {
-        let mut verdict = InputVerdict::agreed(place);
+        let mut verdict = InputVerdict {
+            place,
+            ..InputVerdict::default()
+        };
         let program = self
             .oracle
             .program(place)

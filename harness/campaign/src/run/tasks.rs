@@ -9,13 +9,8 @@ use std::time::{Duration, Instant};
 
 /// A task of a worker.
 pub(super) enum CampaignTask {
-    /// Judge the inputs at these places.
-    Judge {
-        /// The number of the batch.
-        number: usize,
-        /// The places of the inputs.
-        places: Vec<u64>,
-    },
+    /// Judge the batch of this number: the inputs at these places.
+    Judge(usize, Vec<u64>),
     /// Reduce the input of this mismatch.
     Reduce(Mismatch),
 }
@@ -48,7 +43,7 @@ impl CampaignTask {
         // A worker that has panicked judges nothing more, for the campaign ends.
         let done = catch_unwind(AssertUnwindSafe(|| {
             let result = match self {
-                CampaignTask::Judge { number, places } => {
+                CampaignTask::Judge(number, places) => {
                     TaskResult::Judged(number, worker.judge(&places, &|| clock.judges()))
                 }
                 CampaignTask::Reduce(mismatch) => {
@@ -72,7 +67,7 @@ impl CampaignTask {
 impl fmt::Display for CampaignTask {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            CampaignTask::Judge { places, .. } => {
+            CampaignTask::Judge(_, places) => {
                 let (first, last) = (places.first().unwrap_or(&0), places.last().unwrap_or(&0));
                 write!(f, "over one of the inputs {first} to {last}")
             }

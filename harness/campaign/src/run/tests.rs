@@ -20,11 +20,9 @@ struct PlannedMismatches {
     panics: Option<u64>,
 }
 
-struct PlannedWorker<'b>(&'b PlannedMismatches);
-
 impl Oracle for PlannedMismatches {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
-        Ok(Box::new(PlannedWorker(self)))
+        Ok(Box::new(self))
     }
 }
 
@@ -42,16 +40,17 @@ fn verdict(place: u64) -> InputVerdict {
         size: 100,
     };
     InputVerdict {
+        place,
         mismatches: symptoms.iter().map(mismatch).collect(),
         passed_over: (place % 5 == 1).then_some("poisoned"),
-        ..InputVerdict::agreed(place)
+        ..InputVerdict::default()
     }
 }
 
-impl Worker for PlannedWorker<'_> {
+impl Worker for &PlannedMismatches {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
-        assert!(places.iter().all(|&place| self.0.panics != Some(place)));
-        self.0.judged.fetch_add(places.len() as u64, Ordering::Relaxed);
+        assert!(places.iter().all(|&place| self.panics != Some(place)));
+        self.judged.fetch_add(places.len() as u64, Ordering::Relaxed);
         let going = places.iter().take_while(|_| going());
         going.map(|&place| verdict(place)).collect()
     }
@@ -68,8 +67,8 @@ impl Worker for PlannedWorker<'_> {
     }
 
     fn lost(&self) -> Option<String> {
-        let gone = self.0.gone?;
-        (self.0.judged.load(Ordering::Relaxed) >= gone).then(|| "it does not answer".to_owned())
+        let gone = self.gone?;
+        (self.judged.load(Ordering::Relaxed) >= gone).then(|| "it does not answer".to_owned())
     }
 }
 

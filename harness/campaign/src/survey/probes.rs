@@ -161,11 +161,9 @@ fn minimal(word: &str, dialect: DialectName) -> Option<String> {
             true => Value::text(ty, vec![u16::from(b'a')]),
             false => Value::plain(ty, ty.wrap(1)),
         };
-        let value = match word.ends_with('#') {
-            true => value.to_string(),
-            false => "x".to_owned(),
-        };
-        return Some(of_types(ty.name(), ty.name(), &value));
+        let literal = value.to_string();
+        let value = if word.ends_with('#') { &literal } else { "x" };
+        return Some(of_types(ty.name(), ty.name(), value));
     }
     let signature = signatures(word, dialect).into_iter().next()?;
     let [from] = signature.operands[..] else {

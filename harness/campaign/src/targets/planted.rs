@@ -1,7 +1,7 @@
 //! A program with a planted error made small: what is around the error goes, and the same kind of error is planted anew.
 
 use crate::basis::of_code;
-use crate::finding::ExpectedBehavior;
+use crate::finding::{ExpectedBehavior, Finding};
 use std::rc::Rc;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
@@ -20,20 +20,10 @@ const OTHER_PLACES: u64 = 32;
 /// The number of bytes that choose a place.
 const BYTES_OF_A_PLACE: usize = 16;
 
-/// A sound program, small, in which an error of this kind is not reported as it must be.
-pub(super) struct SmallPlant {
-    /// The reduced sound program, with the course of the search.
-    pub(super) reduced: Reduction<Program>,
-    /// The kind of error.
-    pub(super) kind: &'static str,
-    /// The failure of the reduced program.
-    pub(super) failure: OracleFailure,
-    /// The diagnostic that must come; `None` where it is the sound program that is rejected.
-    pub(super) expected: Option<ExpectedBehavior>,
-}
-
-/// Makes what an input stands for small, if an error of the same kind can be planted so that it fails alike.
-pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -> Option<SmallPlant> {
+/// Makes what the input of a finding stands for small, if an error of the same kind can be planted so that it fails alike. Returns the
+/// failure of the small program.
+pub(super) fn reduce(finding: &mut Finding, budget: &ReductionBudget<'_>) -> Option<OracleFailure> {
+    let (input, symptom) = (&finding.input, &finding.symptom);
     let SoundProgram { sound, error, .. } = SoundProgram::of(input)?;
     let kind = plant(&sound, error)?.kind;
     let judge: &Judge<'_> = &|sound, planted, text, line| {
@@ -45,18 +35,19 @@ pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -
     let places = (0..error.len()).filter_map(|skipped| error.get(skipped..));
     let place = { places }.find(|place| search.failing(&sound, place).is_some())?;
     let (reduced, found) = search.reduce(&sound, place, budget)?;
-    let of_the_sound = symptom.starts_with("rejected");
-    let found = if of_the_sound {
-        found
-    } else {
-        search.without_unused(found)
+    // Where it is the sound program that is rejected, no diagnostic must come.
+    let found = match symptom.starts_with("rejected") {
+        true => found,
+        false => {
+            let found = search.without_unused(found);
+            finding.expected = found.expected();
+            found
+        }
     };
-    Some(SmallPlant {
-        kind,
-        expected: (!of_the_sound).then(|| found.expected()),
-        failure: found.failure,
-        reduced,
-    })
+    // What stands around the error is there because a program needs it.
+    finding.rule = vec![kind.to_owned()];
+    finding.enter(&reduced);
+    Some(found.failure)
 }
 
 /// Holds the reference to the text of a sound program, and to that of one with an error on this line.
@@ -92,22 +83,22 @@ impl PlantedSearch<'_> {
         place: &[u8],
         budget: &ReductionBudget<'_>,
     ) -> Option<(Reduction<Program>, PlantedFailure)> {
-        let shows = |candidate: &Program| Interestingness::from(self.failing(candidate, place).is_some());
-        let first = reduce::program(sound, shows, budget);
+        let mut shows = |candidate: &Program| Interestingness::from(self.failing(candidate, place).is_some());
+        let first = reduce::program(sound, &mut shows, budget);
         let mut places = places(place);
         let mut last = self.failing(&first.value, place)?;
         let left = ReductionBudget {
             tries: budget.tries.saturating_sub(first.tries),
             ..*budget
         };
-        let shows = |candidate: &Program| match self.failing_anywhere(candidate, &mut places) {
+        let mut shows = |candidate: &Program| match self.failing_anywhere(candidate, &mut places) {
             Some(found) => {
                 last = found;
                 Interestingness::Interesting
             }
             None => Interestingness::Uninteresting,
         };
-        let second = reduce::program(&first.value, shows, &left);
+        let second = reduce::program(&first.value, &mut shows, &left);
         let reduced = Reduction {
             tries: first.tries.saturating_add(second.tries),
             refused: first.refused.saturating_add(second.refused),

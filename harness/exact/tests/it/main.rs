@@ -3,6 +3,5 @@
 mod basis;
 mod calls;
 mod catalogue;
-mod implicit;
 mod round_trips;
 mod small_sources;

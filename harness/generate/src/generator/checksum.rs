@@ -20,8 +20,8 @@ use super::builder::ProgramBuilder;
 use super::calls::convert;
 use super::literals;
 use crate::model::{
-    ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, PathStep, Place,
-    PlaceSelector, StandardFunction, Statement, Type, VariableId, assign, integer, subscripts, whole,
+    BinaryOperator, CaseBranch, CaseLabel, Expression, LiteralForm, PathStep, Place, PlaceSelector,
+    StandardFunction, Statement, Type, VariableId, assign, integer, subscripts, whole,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -237,12 +237,8 @@ fn spread(steps: &[PathStep]) -> Vec<Vec<PlaceSelector>> {
 }
 
 fn every_element(limits: &[(i64, i64)]) -> Vec<PlaceSelector> {
-    let array = ArrayType {
-        dimensions: limits.to_vec(),
-        element: Type::Elementary(ElementaryType::Lint),
-    };
     let subscript = |number: &i64| integer(ElementaryType::Int, *number, LiteralForm::Untyped);
-    let selectors = subscripts(&array).into_iter();
+    let selectors = subscripts(limits).into_iter();
     selectors
         .map(|numbers| PlaceSelector::Index(numbers.iter().map(subscript).collect()))
         .collect()

@@ -209,7 +209,7 @@ impl ProgramBuilder<'_, '_> {
             Type::Elementary(ty) => Some(InitialValue::Expression(self.initial_value(ty))),
             Type::Array(array) => match array.element {
                 Type::Elementary(ty) => {
-                    let values = (0..subscripts(&array).len()).map(|_| self.initial_literal(ty));
+                    let values = (0..subscripts(&array.dimensions).len()).map(|_| self.initial_literal(ty));
                     Some(InitialValue::Array(values.collect()))
                 }
                 _ => None,

@@ -131,7 +131,7 @@ impl PouScope {
 
     /// Records a place and all its parts.
     fn see(&mut self, place: VisiblePlace, program: &Program) {
-        for (step, ty) in program.parts(&place.ty) {
+        for (step, _, ty) in program.parts(&place.ty) {
             let writable = place.writable && !matches!(step, PathStep::Output(_));
             let part = VisiblePlace {
                 path: [&place.path[..], &[step]].concat(),
@@ -170,7 +170,7 @@ pub(super) fn contains_text(ty: &Type, program: &Program) -> bool {
         Type::Block(_) => false,
         ty => {
             let parts = program.parts(ty);
-            parts.iter().any(|(_, part)| contains_text(part, program))
+            parts.iter().any(|(.., part)| contains_text(part, program))
         }
     }
 }

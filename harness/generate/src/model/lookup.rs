@@ -1,8 +1,7 @@
 //! Lookups that every reader of a program needs: resolved aliases, fields of structures, observed values.
 
 use super::{
-    ArrayType, DeclaredKind, Expression, PlaceSelector, Pou, Program, Type, Unit, Variable, VariableId,
-    VariableSection,
+    DeclaredKind, Expression, PlaceSelector, Pou, Program, Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -53,24 +52,24 @@ impl Program {
         }
     }
 
-    /// Returns the parts that a type directly consists of, each with its type: the elements of an array at once, the fields of a structure,
-    /// or the outputs of a function block, which alone every compiler lets its environment read.
+    /// Returns the parts that a type directly consists of, each with its name and its type: the elements of an array at once and without
+    /// a name, the fields of a structure, or the outputs of a function block, which alone every compiler lets its environment read.
     #[must_use]
-    pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t Type)> {
+    pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t str, &'t Type)> {
         match self.unaliased(ty) {
             Type::Elementary(_) => Vec::new(),
-            Type::Array(array) => vec![(PathStep::Index(array.dimensions.clone()), &array.element)],
+            Type::Array(array) => vec![(PathStep::Index(array.dimensions.clone()), "", &array.element)],
             ty @ Type::Declared(_) => {
                 let fields = self.fields(ty).unwrap_or_default().iter().enumerate();
                 fields
-                    .map(|(field, (_, ty, _))| (PathStep::Field(field), ty))
+                    .map(|(field, (name, ty, _))| (PathStep::Field(field), &**name, ty))
                     .collect()
             }
             Type::Block(block) => {
                 let variables = Unit::Block(*block).variables(self).iter().enumerate();
                 let outputs = variables.filter(|(_, variable)| variable.section == VariableSection::Output);
                 outputs
-                    .map(|(number, output)| (PathStep::Output(VariableId(number)), &output.ty))
+                    .map(|(number, output)| (PathStep::Output(VariableId(number)), &*output.name, &output.ty))
                     .collect()
             }
         }
@@ -97,32 +96,27 @@ impl Program {
     }
 
     fn observe(&self, (path, numbers): (&str, &[usize]), ty: &Type, found: &mut Vec<ObservedPart>) {
-        let mut inside = |name: String, number: usize, ty: &Type| {
-            let numbers = [numbers, &[number]].concat();
-            self.observe((&format!("{path}{name}"), &numbers), ty, found);
-        };
-        match self.unaliased(ty) {
-            Type::Elementary(ty) => found.push(ObservedPart {
+        if let Type::Elementary(ty) = self.unaliased(ty) {
+            return found.push(ObservedPart {
                 path: path.to_owned(),
                 ty: *ty,
                 numbers: numbers.to_vec(),
-            }),
-            Type::Array(array) => {
-                for (number, subscripts) in subscripts(array).iter().enumerate() {
-                    inside(format!("[{}]", joined(subscripts)), number, &array.element);
+            });
+        }
+        for (step, name, ty) in self.parts(ty) {
+            let inside = match step {
+                PathStep::Index(limits) => {
+                    let texts = subscripts(&limits).into_iter();
+                    let texts = texts.map(|subscripts| format!("[{}]", joined(&subscripts)));
+                    texts.zip(0..).collect()
                 }
-            }
-            Type::Declared(_) => {
-                for (number, (name, field, _)) in self.fields(ty).unwrap_or_default().iter().enumerate() {
-                    inside(format!(".{name}"), number, field);
+                PathStep::Field(number) | PathStep::Output(VariableId(number)) => {
+                    vec![(format!(".{name}"), number)]
                 }
-            }
-            Type::Block(block) => {
-                for (number, output) in Unit::Block(*block).variables(self).iter().enumerate() {
-                    if output.section == VariableSection::Output {
-                        inside(format!(".{}", output.name), number, &output.ty);
-                    }
-                }
+            };
+            for (name, number) in inside {
+                let numbers = [numbers, &[number]].concat();
+                self.observe((&format!("{path}{name}"), &numbers), ty, found);
             }
         }
     }
@@ -165,10 +159,10 @@ impl Pou {
     }
 }
 
-/// Returns the subscripts of every element of an array, the last subscript varying fastest.
-pub fn subscripts(array: &ArrayType) -> Vec<Vec<i64>> {
+/// Returns the subscripts of every element of an array with these dimensions, the last subscript varying fastest.
+pub fn subscripts(dimensions: &[(i64, i64)]) -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];
-    for &(low, high) in &array.dimensions {
+    for &(low, high) in dimensions {
         all = all
             .into_iter()
             .flat_map(|before| {

@@ -1,5 +1,6 @@
 //! The statements of a program of the model.
 
+use super::visit::bodies;
 use super::{Argument, Expression, LiteralForm, Place, Type, VariableId};
 use stickler_types::{ElementaryType, Value};
 
@@ -61,6 +62,19 @@ impl Statement {
             Statement::For(_) | Statement::While(..) | Statement::Repeat(..)
         )
     }
+}
+
+/// Returns the control variables of the FOR statements among these and inside them.
+pub(crate) fn controlled(statements: &[Statement]) -> Vec<VariableId> {
+    let mut found = Vec::new();
+    let mut waiting: Vec<_> = statements.iter().collect();
+    while let Some(statement) = waiting.pop() {
+        if let Statement::For(parts) = statement {
+            found.push(parts.variable);
+        }
+        waiting.extend(bodies(statement).into_iter().flatten());
+    }
+    found
 }
 
 /// The left side of an assignment.

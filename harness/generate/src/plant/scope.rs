@@ -1,9 +1,8 @@
 //! The scope of a program organization unit: its readable and writable places, and the types of expressions as written.
 
-use crate::model::visit::bodies;
 use crate::model::{
-    ArrayType, Expression, ExpressionKind, LiteralForm, PathStep, Place, PlaceSelector, Program,
-    StandardFunction, Statement, Type, Unit, VariableId, VariableSection, integer,
+    Expression, ExpressionKind, LiteralForm, PathStep, Place, PlaceSelector, Program, StandardFunction, Type,
+    Unit, VariableId, VariableSection, controlled, integer,
 };
 use stickler_types::{Dialect, DialectName, ElementaryType};
 
@@ -11,20 +10,6 @@ use stickler_types::{Dialect, DialectName, ElementaryType};
 pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {
     match program.unaliased(ty) {
         Type::Elementary(ty) => Some(*ty),
-        _ => None,
-    }
-}
-
-/// Returns the element type of an array, and the limits of its dimensions.
-pub(super) fn element_and_limits<'p>(
-    program: &'p Program,
-    ty: &'p Type,
-) -> Option<(&'p Type, &'p [(i64, i64)])> {
-    match program.unaliased(ty) {
-        Type::Array(array) => {
-            let ArrayType { dimensions, element } = &**array;
-            Some((element, dimensions))
-        }
         _ => None,
     }
 }
@@ -101,7 +86,7 @@ pub(super) struct NamedPlace {
 /// Returns every part of the variables of a unit; of arrays the element with the lowest subscripts.
 pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
     let mut found = Vec::new();
-    let controlled = controlled(program, unit);
+    let controlled = controlled(unit.body(program));
     for (number, variable) in unit.variables(program).iter().enumerate() {
         let id = VariableId(number);
         let place = Place::whole(id, variable.ty.clone());
@@ -117,7 +102,7 @@ pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
 }
 
 fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedPlace>) {
-    for (step, ty) in program.parts(&place.ty) {
+    for (step, _, ty) in program.parts(&place.ty) {
         let writable = writable && !matches!(step, PathStep::Output(_));
         let selector = match step {
             PathStep::Index(limits) => {
@@ -137,17 +122,4 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
         parts(program, part, writable, found);
     }
     found.push(NamedPlace { place, writable });
-}
-
-/// Returns the control variables of the FOR statements of a unit.
-fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
-    let mut found = Vec::new();
-    let mut waiting: Vec<_> = unit.body(program).iter().collect();
-    while let Some(statement) = waiting.pop() {
-        if let Statement::For(parts) = statement {
-            found.push(parts.variable);
-        }
-        waiting.extend(bodies(statement).into_iter().flatten());
-    }
-    found
 }

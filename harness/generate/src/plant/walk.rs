@@ -1,6 +1,6 @@
 //! The places of a program where an error can be planted: every expression with its context, and every list of statements.
 
-use super::scope::{element_and_limits, written};
+use super::scope::written;
 use crate::model::visit_mut::{
     VisitorMut, bodies, walk_declaration, walk_expression, walk_place, walk_statement, walk_variable,
 };
@@ -225,13 +225,14 @@ impl VisitorMut for SiteWalker<'_, '_> {
         let mut contexts = Vec::new();
         for selector in &place.path {
             if let PlaceSelector::Index(subscripts) = selector {
-                let limits = within.and_then(|ty| element_and_limits(self.program, ty));
-                contexts.extend((0..subscripts.len()).map(|number| {
-                    // Only an ill-formed program subscripts something without limits.
-                    let limits = limits.and_then(|(_, limits)| limits.get(number));
-                    let &(low, high) = limits.unwrap_or(&(0, 0));
-                    ExpressionContext::Subscript(low, high)
-                }));
+                let limits = match within.map(|ty| self.program.unaliased(ty)) {
+                    Some(Type::Array(array)) => &array.dimensions[..],
+                    _ => &[],
+                };
+                // Only an ill-formed program subscripts something without limits.
+                let limits = limits.iter().copied().chain(std::iter::repeat((0, 0)));
+                let contexts_of = limits.map(|(low, high)| ExpressionContext::Subscript(low, high));
+                contexts.extend(contexts_of.take(subscripts.len()));
             }
             within = within.and_then(|ty| self.program.selected_type(ty, selector));
         }

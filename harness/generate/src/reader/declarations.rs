@@ -169,7 +169,7 @@ impl<'t> Reader<'t> {
                     _ => None,
                 });
                 let values: Vec<_> = values.collect::<Option<_>>()?;
-                (values.len() == subscripts(array).len()).then_some(InitialValue::Array(values))
+                (values.len() == subscripts(&array.dimensions).len()).then_some(InitialValue::Array(values))
             }
             (InitializerKind::Structure(values), ty) => {
                 let fields = self.program.fields(ty)?;

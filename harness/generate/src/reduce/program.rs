@@ -15,25 +15,16 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 use stickler_reduce::{
     CandidateJudge, Interestingness, METHOD, Reduction, ReductionBudget, ReferenceRules, TextDraft,
-    TextRules, TextState, minimise_in_packs,
+    TextRules, TextState, minimise,
 };
 use stickler_types::DialectName;
 
 /// Makes a program as small as possible while it stays interesting.
 ///
-/// `interesting` is asked about `start` first, and then about each candidate. It should answer [`Interestingness::Invalid`]
+/// The judge, which may be asked about several programs at a time, is asked about `start` first, and then about each candidate. It should answer [`Interestingness::Invalid`]
 /// if the evaluator refuses the program or meets an open question, and ask an engine only about other candidates. The result
 /// is the same for the same answers.
 pub fn program(
-    start: &Program,
-    mut interesting: impl FnMut(&Program) -> Interestingness,
-    budget: &ReductionBudget<'_>,
-) -> Reduction<Program> {
-    program_in_packs(start, &mut interesting, budget)
-}
-
-/// Makes a program as small as possible, like [`program`], with a judge that may be asked about several programs at a time.
-pub fn program_in_packs(
     start: &Program,
     judge: &mut dyn CandidateJudge<Program>,
     budget: &ReductionBudget<'_>,
@@ -49,7 +40,7 @@ pub fn program_in_packs(
         admitted: Vec::new(),
         judge,
     };
-    let found = minimise_in_packs(draft, &METHOD, &mut judge, budget);
+    let found = minimise(draft, &METHOD, &mut judge, budget);
     found.map(|draft| judge.program(&draft).unwrap_or_else(|| start.clone()))
 }
 

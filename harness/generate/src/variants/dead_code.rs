@@ -3,10 +3,9 @@
 use super::walk::{FreeNames, each_pou, has_loose_exit, lists, variable};
 use crate::model::{
     Expression, LiteralForm, Program, Statement, Type, Variable, VariableId, VariableSection, assign,
-    integer, whole,
+    controlled, integer, whole,
 };
 use crate::random::Random;
-use std::collections::HashSet;
 use stickler_types::ElementaryType;
 
 /// Inserts dead code beside some statements. Returns the number of insertions.
@@ -19,7 +18,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             Type::Elementary(ElementaryType::Lword),
             VariableSection::Local,
         ));
-        let settled = settled_variables(&pou.variables, &mut pou.body);
+        let settled = settled_variables(&pou.variables, &pou.body);
         lists(&mut pou.body, &mut |list| {
             let mut longer = Vec::with_capacity(list.len());
             for statement in list.drain(..) {
@@ -44,18 +43,8 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
 }
 
 /// Returns the variables that may be assigned to themselves anywhere: elementary ones in VAR that control no loop.
-fn settled_variables(
-    variables: &[Variable],
-    statements: &mut Vec<Statement>,
-) -> Vec<(VariableId, ElementaryType)> {
-    let mut counting = HashSet::new();
-    lists(statements, &mut |list| {
-        for statement in list {
-            if let Statement::For(parts) = statement {
-                counting.insert(parts.variable);
-            }
-        }
-    });
+fn settled_variables(variables: &[Variable], statements: &[Statement]) -> Vec<(VariableId, ElementaryType)> {
+    let counting = controlled(statements);
     let settled = variables
         .iter()
         .enumerate()

@@ -3,9 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{ImplicitResult, expected, functions, implicit, implicit_result, signatures};
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::features::measured;
+use stickler_generate::features::features;
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::Program;
+use stickler_generate::model::visit::{
+    Visitor, walk_declaration, walk_expression, walk_program, walk_statement, walk_type, walk_variable,
+};
+use stickler_generate::model::{
+    AssignmentTarget, DeclaredKind, Expression, ExpressionKind, LiteralForm, Program, Statement, Type,
+    TypeDeclaration, UnaryOperator, Variable,
+};
 use stickler_generate::writer::{Style, write};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, MomentUnits, Value};
 
@@ -116,9 +122,89 @@ fn what_is_open_is_used_only_when_asked_for() {
         };
         program(&bytes(seed), &settings)
     };
-    let has_bits = |program: &Program| measured(program).contains_key("bit read");
+    let has_bits = |program: &Program| measured(program).contains("bit read");
     assert!((0..200).any(|seed| has_bits(&open(seed))));
     assert!(!(0..200).any(|seed| has_bits(&made(DialectName::PLCNEXT, seed))));
+}
+
+/// Returns the constructs of a program with their types: `variable INT`, `read INT`, `+ of INT`.
+fn measured(program: &Program) -> BTreeSet<String> {
+    let mut measured = Measured {
+        program,
+        found: BTreeSet::new(),
+    };
+    walk_program(&mut measured, program);
+    measured.found
+}
+
+struct Measured<'p> {
+    program: &'p Program,
+    found: BTreeSet<String>,
+}
+
+impl Measured<'_> {
+    /// Notes a construct with a type: an elementary one by its name, others by their form.
+    fn note(&mut self, construct: &str, ty: &Type) {
+        let shape = match ty {
+            Type::Elementary(elementary) => elementary.name().to_owned(),
+            Type::Array(array) => format!("ARRAY of {} dimensions", array.dimensions.len()),
+            Type::Declared(_) if self.program.fields(ty).is_some() => "structure".to_owned(),
+            Type::Declared(_) if self.program.enumerated_values(ty).is_some() => "enumeration".to_owned(),
+            Type::Declared(_) => "alias".to_owned(),
+            Type::Block(_) => "instance".to_owned(),
+        };
+        self.found.insert(format!("{construct} {shape}"));
+    }
+}
+
+impl Visitor for Measured<'_> {
+    fn declaration(&mut self, declaration: &TypeDeclaration) {
+        if let DeclaredKind::Structure(fields) = &declaration.kind {
+            fields.iter().for_each(|(_, ty, _)| self.note("field", ty));
+        }
+        walk_declaration(self, declaration);
+    }
+
+    fn variable(&mut self, variable: &Variable) {
+        self.note("variable", &variable.ty);
+        walk_variable(self, variable);
+    }
+
+    fn ty(&mut self, ty: &Type) {
+        if let Type::Array(array) = ty {
+            self.note("element", &array.element);
+        }
+        walk_type(self, ty);
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        let written = match statement {
+            Statement::Assign(AssignmentTarget::Bit(..), _) => Some("bit written"),
+            Statement::Assign(AssignmentTarget::Result, _) => Some("result"),
+            _ => None,
+        };
+        self.found.extend(written.map(str::to_owned));
+        walk_statement(self, statement);
+    }
+
+    fn expression(&mut self, expression: &Expression) {
+        match &expression.kind {
+            ExpressionKind::Literal(_, LiteralForm::Untyped) => self.note("untyped", &expression.ty),
+            ExpressionKind::Read(_) => self.note("read", &expression.ty),
+            ExpressionKind::Bit(..) => _ = self.found.insert("bit read".to_owned()),
+            ExpressionKind::Unary(UnaryOperator::Negate, _) => self.note("negation of", &expression.ty),
+            ExpressionKind::Unary(UnaryOperator::Not, _) => self.note("NOT of", &expression.ty),
+            ExpressionKind::Binary(operator, left, _) => {
+                self.note(&format!("{} of", operator.as_str()), &left.ty)
+            }
+            _ => {}
+        }
+        walk_expression(self, expression);
+    }
+
+    fn literal(&mut self, expression: &Expression) {
+        self.expression(expression);
+    }
 }
 
 /// Returns every feature that programs of a dialect must have.
@@ -196,7 +282,11 @@ fn every_construct_occurs_in_some_of_the_programs() {
     for &dialect in DialectName::ALL.iter() {
         let mut missing: BTreeSet<String> = demanded(dialect).into_iter().collect();
         for seed in 0..PROGRAMS {
-            for construct in measured(&made(dialect, seed)).into_keys() {
+            let program = made(dialect, seed);
+            for construct in measured(&program)
+                .into_iter()
+                .chain(features(&program).into_keys())
+            {
                 missing.remove(&construct);
             }
             if missing.is_empty() {

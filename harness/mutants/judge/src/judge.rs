@@ -5,12 +5,10 @@
 #[path = "../../../run/src/judge/bodies.rs"]
 mod bodies;
 
-use crate::prepared::{PreparedAcceptance, PreparedCase, PreparedExpectation};
+use crate::prepared::{PreparedCase, PreparedExpectation};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_reference::{Limits, render, run};
-use stickler_types::{
-    ClockSetting, Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value,
-};
+use stickler_types::{Acceptance, Diagnostic, DialectName, Outcome, RunRequest, Value};
 
 /// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
@@ -48,36 +46,15 @@ fn wrong(case: &PreparedCase) -> Option<String> {
 /// Returns the reference's answer to `source`, with all that the case asks and sets.
 fn answer(case: &PreparedCase, source: &str) -> Result<Outcome, String> {
     let dialect = case.dialect.parse().map_err(|_| "it does not know the dialect")?;
-    let observe: Vec<_> = case
-        .observe
-        .iter()
-        .map(|(name, after)| observation(name, *after))
-        .collect();
-    let setting = |(before, name, literal): &(u32, String, String)| {
-        let value = Value::parse(literal).map_err(|error| error.to_string())?;
-        Ok::<_, String>(Setting {
-            before: *before,
-            name: name.as_str().into(),
-            value,
-        })
-    };
-    let set = case.set.iter().map(setting).collect::<Result<Vec<_>, _>>()?;
-    let time = |&(before, nanoseconds): &(u32, i64)| ClockSetting { before, nanoseconds };
-    let clock: Vec<ClockSetting> = case.clock.iter().map(time).collect();
     let request = RunRequest {
+        dialect,
+        source,
         scans: case.scans,
-        set: &set,
-        clock: &clock,
-        ..RunRequest::once(dialect, source, &observe)
+        observe: &case.observe,
+        clock: &case.clock,
+        set: &case.set,
     };
     run(&request, Limits::default()).map_err(|error| error.to_string())
-}
-
-fn observation(name: &str, after: u32) -> Observation {
-    Observation {
-        after: (after > 0).then_some(after),
-        ..Observation::last(name, "")
-    }
 }
 
 /// Returns the lines and codes of diagnostics, sorted, and whether one names a clean line.
@@ -116,9 +93,9 @@ fn warnings_differ(expectation: &PreparedExpectation, warnings: &[Diagnostic]) -
 fn rejected(expectation: &PreparedExpectation, diagnostics: &[Diagnostic]) -> Option<String> {
     let (found, on_clean_line) = reported(expectation, diagnostics);
     let right = match expectation.acceptance {
-        PreparedAcceptance::Required => false,
-        PreparedAcceptance::Observed => true,
-        PreparedAcceptance::Rejected => {
+        Acceptance::Required => false,
+        Acceptance::Observed => true,
+        Acceptance::Rejected => {
             let mut expected = texts(&expectation.diagnostics);
             expected.sort_unstable();
             expected == found
@@ -131,13 +108,13 @@ fn faulted(expectation: &PreparedExpectation, found: (u32, &str)) -> Option<Stri
     let right = match &expectation.fault {
         Some((line, fault)) => (*line, fault.as_str()) == found,
         // Where acceptance itself is open, how the program ends is open as well.
-        None => expectation.acceptance == PreparedAcceptance::Observed,
+        None => expectation.acceptance == Acceptance::Observed,
     };
     (!right).then(|| format!("faulted: {found:?}"))
 }
 
 fn executed(expectation: &PreparedExpectation) -> Option<String> {
-    let may_run = expectation.acceptance != PreparedAcceptance::Rejected && expectation.fault.is_none();
+    let may_run = expectation.acceptance != Acceptance::Rejected && expectation.fault.is_none();
     (!may_run).then(|| "accepted".to_owned())
 }
 
@@ -178,6 +155,7 @@ fn rendering(case: &PreparedCase, wanted: &[String], answer: &Outcome) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::Observation;
 
     const SOURCE: &str = "PROGRAM main\nVAR a : INT := 1; d : INT; END_VAR\na := a / d;\nEND_PROGRAM\n";
 
@@ -186,7 +164,7 @@ mod tests {
             dialect: "ironplc-ed3".to_owned(),
             source: source.to_owned(),
             scans: 1,
-            observe: vec![("a".to_owned(), 0)],
+            observe: vec![Observation::last("a", "")],
             expectation,
             ..PreparedCase::default()
         }
@@ -224,7 +202,7 @@ mod tests {
     fn a_rejection_must_be_right_to_the_code_and_line_and_name_no_clean_line() {
         const WRONG: &str = "PROGRAM main\nVAR a : INT; END_VAR\na := TRUE;\nb := 1;\nEND_PROGRAM";
         let rejected = |diagnostics: &[(u32, &str)], clean_lines: &[u32]| PreparedExpectation {
-            acceptance: PreparedAcceptance::Rejected,
+            acceptance: Acceptance::Rejected,
             diagnostics: diagnostics
                 .iter()
                 .map(|(line, code)| (*line, (*code).to_owned()))

@@ -3,9 +3,10 @@
 //! The first line of the file is the number of cases; each line behind it is a case in JSON.
 
 use serde::{Deserialize, Serialize};
+use stickler_types::{Acceptance, ClockSetting, Observation, Setting};
 
 /// One program in one dialect, and what must happen.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PreparedCase {
     /// `id@dialect`.
     pub key: String,
@@ -15,12 +16,12 @@ pub struct PreparedCase {
     pub source: String,
     /// The number of scans.
     pub scans: u32,
-    /// The values to observe: the name, and the scan after which to look; 0 is after the last.
-    pub observe: Vec<(String, u32)>,
-    /// The variables that are set: before which scan, the name, the value as a typed literal.
-    pub set: Vec<(u32, String, String)>,
-    /// The times of scans: the scan, and the nanoseconds since the start.
-    pub clock: Vec<(u32, i64)>,
+    /// The values to observe.
+    pub observe: Vec<Observation>,
+    /// The variables that are set.
+    pub set: Vec<Setting>,
+    /// The times of scans.
+    pub clock: Vec<ClockSetting>,
     /// The result that must come.
     pub expectation: PreparedExpectation,
 }
@@ -29,7 +30,7 @@ pub struct PreparedCase {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PreparedExpectation {
     /// Whether the program must be accepted.
-    pub acceptance: PreparedAcceptance,
+    pub acceptance: Acceptance,
     /// The line and code of each diagnostic that must be there.
     pub diagnostics: Vec<(u32, String)>,
     /// The line and code of each warning that must be there.
@@ -42,18 +43,6 @@ pub struct PreparedExpectation {
     pub fault: Option<(u32, String)>,
     /// The trimmed lines of the bodies of the rendered program.
     pub rendered: Option<Vec<String>>,
-}
-
-/// Whether a program must be accepted; see `stickler_suite::Acceptance`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum PreparedAcceptance {
-    /// The program must be accepted.
-    #[default]
-    Required,
-    /// The program must be rejected.
-    Rejected,
-    /// No document says whether the program must be accepted.
-    Observed,
 }
 
 /// Returns the text of a file of cases.
@@ -88,13 +77,18 @@ pub fn read(line: &str) -> serde_json::Result<PreparedCase> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::Value;
 
     #[test]
     fn cases_are_read_as_they_were_written_and_a_file_that_is_cut_short_is_refused() {
         let case = PreparedCase {
             key: "folder/file@matiec".to_owned(),
             source: "PROGRAM main\n(* ä *) END_PROGRAM".to_owned(),
-            set: vec![(2, "q".to_owned(), "STRING#'\"'".to_owned())],
+            set: vec![Setting {
+                before: 2,
+                name: "q".into(),
+                value: Value::parse("STRING#'\"'").unwrap(),
+            }],
             ..PreparedCase::default()
         };
         let cases = [case, PreparedCase::default()];

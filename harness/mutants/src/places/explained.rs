@@ -3,6 +3,7 @@
 use super::saboteur::{BrokenPlace, Saboteur};
 use anyhow::Context as _;
 use serde::Deserialize;
+use stickler_run::pattern_fits;
 use stickler_types::DialectName;
 
 const TEXT: &str = include_str!("../../unnoticed.toml");
@@ -104,7 +105,7 @@ impl ExplainedSaboteurs {
     #[cfg(test)]
     pub(super) fn unknown_rules(&self, known: &[String]) -> Vec<&str> {
         let named = self.entries().flat_map(|entry| &entry.rules);
-        let unknown = named.filter(|name| !known.iter().any(|rule| matches(name, rule)));
+        let unknown = named.filter(|name| !known.iter().any(|rule| pattern_fits(name, rule)));
         unknown.map(String::as_str).collect()
     }
 
@@ -158,7 +159,8 @@ impl UnnoticedEntry {
         let idle = self.except.iter().filter(move |place| {
             let mut there = noticed.iter().filter(|saboteur| {
                 let rule = saboteur.rule.to_string();
-                saboteur.place.to_string() == **place && self.rules.iter().any(|name| matches(name, &rule))
+                saboteur.place.to_string() == **place
+                    && self.rules.iter().any(|name| pattern_fits(name, &rule))
             });
             there.next().is_none()
         });
@@ -183,8 +185,8 @@ impl UnnoticedEntry {
     fn means(&self, saboteur: &Saboteur, rule: &str, place: &str) -> bool {
         let whole = whole_place(saboteur.place).to_string();
         self.has_pair(saboteur.place)
-            && matches(rule, &saboteur.rule.to_string())
-            && matches(place, &whole)
+            && pattern_fits(rule, &saboteur.rule.to_string())
+            && pattern_fits(place, &whole)
             && !self.except.contains(&whole)
     }
 
@@ -197,7 +199,7 @@ impl UnnoticedEntry {
             return false;
         };
         let pair = format!("{} to {}", from.name(), to.name());
-        self.pairs.iter().any(|listed| matches(listed, &pair))
+        self.pairs.iter().any(|listed| pattern_fits(listed, &pair))
     }
 }
 
@@ -206,16 +208,5 @@ fn whole_place(place: BrokenPlace) -> BrokenPlace {
     match place {
         BrokenPlace::Cell(_, _, target) => BrokenPlace::Target(target),
         place => place,
-    }
-}
-
-/// Returns whether a name is the one that is written, in which `*` stands for any text.
-fn matches(written: &str, name: &str) -> bool {
-    match written.split_once('*') {
-        None => written == name,
-        Some((before, behind)) => name.strip_prefix(before).is_some_and(|rest| {
-            let starts = (0..=rest.len()).filter(|&start| rest.is_char_boundary(start));
-            starts.into_iter().any(|start| matches(behind, &rest[start..]))
-        }),
     }
 }

@@ -57,17 +57,10 @@ impl Judged {
 
 /// Looks every saboteur up that is not noticed.
 pub fn judge(tallies: BTreeMap<Saboteur, Tally>, explained: &ExplainedSaboteurs) -> Vec<Judged> {
-    let judged = |(saboteur, tally): (Saboteur, Tally)| {
-        let noticed = tally.noticed > 0;
-        let kind = match noticed {
-            true => None,
-            false => explained.kind(&saboteur),
-        };
-        Judged {
-            saboteur,
-            tally,
-            kind,
-        }
+    let judged = |(saboteur, tally): (Saboteur, Tally)| Judged {
+        kind: explained.kind(&saboteur).filter(|_| tally.noticed == 0),
+        saboteur,
+        tally,
     };
     tallies.into_iter().map(judged).collect()
 }

@@ -26,6 +26,7 @@ pub(crate) fn unwrap_structures(view: &TextView<'_>) -> Vec<Edits> {
     for (pou, group) in single(view) {
         let structure = match &group.specification.kind {
             TypeSpecificationKind::Named(name) => view
+                .unit
                 .types()
                 .find(|declared| declared.name.text.eq_ignore_ascii_case(name.text))
                 .map(|declared| &declared.specification.kind),

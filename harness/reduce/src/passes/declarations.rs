@@ -178,7 +178,7 @@ pub fn drop_unused(view: &TextView<'_>) -> Vec<Edits> {
             all => changes.extend(groups(view, all)),
         }
     }
-    for declared in view.types() {
+    for declared in view.unit.types() {
         changes.push(Edits::removing(type_declaration(view, declared)));
         if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
             changes.extend(groups(view, fields));
@@ -316,7 +316,7 @@ pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
     let is_enumeration = |one: &&TypeDeclaration<'_>| {
         matches!(one.specification.kind, TypeSpecificationKind::Enumeration { .. })
     };
-    for declared in view.types().filter(|one| !is_enumeration(one)) {
+    for declared in view.unit.types().filter(|one| !is_enumeration(one)) {
         // Of a structure, the type of a field may be what matters.
         let fields = match &declared.specification.kind {
             TypeSpecificationKind::Structure(fields) => fields.as_slice(),

@@ -10,7 +10,7 @@ use stickler_syntax::visitor::Place;
 /// Drops a field of a structure with its initial values.
 pub(crate) fn forget_fields(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
-    for declared in view.types() {
+    for declared in view.unit.types() {
         let TypeSpecificationKind::Structure(fields) = &declared.specification.kind else {
             continue;
         };
@@ -73,6 +73,7 @@ pub(crate) fn assign_initials(view: &TextView<'_>) -> Vec<Edits> {
 /// Leaves an array of one dimension its first element, with the value that this begins with.
 pub(crate) fn shorten_arrays(view: &TextView<'_>) -> Vec<Edits> {
     let fields = view
+        .unit
         .types()
         .filter_map(|declared| match &declared.specification.kind {
             TypeSpecificationKind::Structure(fields) => Some(fields),

@@ -1,8 +1,10 @@
-//! The tables of `conformance-cases/conversion` hold what exact arithmetic gives.
+//! The tables of `conformance-cases/conversion` hold what exact arithmetic gives, and those of `conformance-cases/widening` say what it
+//! says.
 
 mod by_hand;
 mod examples;
 mod folder;
+mod widening;
 
 use std::path::{Path, PathBuf};
 

@@ -3,7 +3,7 @@
 use crate::progress::bar;
 use indicatif::{HumanCount, ProgressBar};
 use std::time::{Duration, Instant};
-use stickler_campaign::{CampaignPlan, CampaignProgress, Until};
+use stickler_campaign::{CampaignPlan, CampaignSummary, Until};
 
 /// A progress bar of the programs, or of the time, whichever ends the campaign.
 pub struct FuzzBar {
@@ -33,29 +33,19 @@ impl FuzzBar {
     }
 
     /// Shows the progress of the campaign.
-    pub fn reach(&self, progress: CampaignProgress) {
+    pub fn reach(&self, progress: &CampaignSummary) {
         let elapsed = self.begun.elapsed();
-        let position = if self.counts {
-            progress.programs
-        } else {
-            elapsed.as_secs()
+        let programs = HumanCount(progress.programs);
+        let (position, total) = match self.counts {
+            true => (progress.programs, String::new()),
+            false => (elapsed.as_secs(), format!("{programs} programs, ")),
         };
         self.bar.set_position(position);
-        let CampaignProgress {
-            programs,
-            disagreements,
-            findings,
-        } = progress;
-        let rate = rate(programs, elapsed);
-        let programs = HumanCount(programs);
-        let total = if self.counts {
-            String::new()
-        } else {
-            format!("{programs} programs, ")
-        };
+        let rate = HumanCount(rate(progress.programs, elapsed));
+        let disagreements: u64 = progress.disagreements.values().sum();
+        let findings = progress.findings.len();
         self.bar.set_message(format!(
-            "{total}{}/s, {disagreements} disagreements, {findings} findings",
-            HumanCount(rate)
+            "{total}{rate}/s, {disagreements} disagreements, {findings} findings"
         ));
     }
 

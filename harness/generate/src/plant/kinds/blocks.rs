@@ -2,15 +2,18 @@
 
 use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, places, types};
-use super::super::walk::ExpressionContext;
+use super::super::walk::{ExpressionContext, ExpressionSite};
 use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, ExpressionKind, InitialValue, Pou, Program, Statement, Type, Unit, VariableId,
-    VariableSection,
+    Argument, BinaryOperator, Expression, ExpressionKind, InitialValue, Place, Pou, Program, Statement, Type,
+    Unit, VariableId, VariableSection,
 };
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
+
+/// The outputs that a call takes, and their places.
+type Outputs = Vec<(VariableId, Place)>;
 
 /// Returns the function block of an instance.
 fn block_of(program: &Program, unit: Unit, instance: VariableId) -> Option<&Pou> {
@@ -34,27 +37,43 @@ fn inner(block: &Pou) -> Vec<VariableId> {
         .collect()
 }
 
-/// Returns whether a statement calls an instance of a function block that has such inner variables.
-fn calls_one_with_inner(program: &Program, unit: Unit, kind: &Statement) -> bool {
-    match kind {
-        Statement::Invoke { instance, .. } => {
-            block_of(program, unit, *instance).is_some_and(|block| !inner(block).is_empty())
+fn has_inner(block: &Pou, _: usize, _: usize) -> bool {
+    !inner(block).is_empty()
+}
+
+/// Changes a call of a function block, of which `fits` takes the block and the numbers of inputs and outputs.
+fn change_call(
+    fault: &mut FaultSite<'_, '_>,
+    fits: impl Fn(&Pou, usize, usize) -> bool,
+    change: impl FnOnce(&mut FaultSite<'_, '_>, Unit, &Pou, &mut Vec<Argument>, &mut Outputs) -> Option<()>,
+) -> Option<()> {
+    let original = fault.original;
+    let fits = |unit, statement: &Statement| match statement {
+        Statement::Invoke {
+            instance,
+            inputs,
+            outputs,
+        } => {
+            block_of(original, unit, *instance).is_some_and(|block| fits(block, inputs.len(), outputs.len()))
         }
         _ => false,
-    }
+    };
+    fault.change_statement(fits, |fault, unit, statement| match statement {
+        Statement::Invoke {
+            instance,
+            inputs,
+            outputs,
+        } => change(fault, unit, block_of(original, unit, *instance)?, inputs, outputs),
+        _ => None,
+    })
 }
 
 /// Plants a value for a parameter that is no input of the function block.
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let has_inner = |unit, kind: &Statement| calls_one_with_inner(original, unit, kind);
-    fault.change_statement(has_inner, |fault, unit, kind| {
-        let Statement::Invoke { instance, inputs, .. } = kind else {
-            return None;
-        };
-        let parameter = fault.choose(inner(block_of(original, unit, *instance)?))?;
+    change_call(fault, has_inner, |fault, _, block, inputs, _| {
+        let parameter = fault.choose(inner(block))?;
         inputs.push(Argument {
             parameter,
             value: literal(ElementaryType::Int),
@@ -67,12 +86,8 @@ pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn input_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let has_inputs =
-        |_, kind: &Statement| matches!(kind, Statement::Invoke { inputs, .. } if !inputs.is_empty());
-    fault.change_statement(has_inputs, |fault, _, kind| {
-        let Statement::Invoke { inputs, .. } = kind else {
-            return None;
-        };
+    let has_inputs = |_: &Pou, inputs, _| inputs > 0;
+    change_call(fault, has_inputs, |fault, _, _, inputs, _| {
         let again = fault.choose(inputs.clone())?;
         inputs.push(again);
         Some(())
@@ -84,15 +99,8 @@ pub(super) fn input_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: ironplc-problem-codes: P4004.
 pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let has_inner = |unit, kind: &Statement| calls_one_with_inner(original, unit, kind);
-    fault.change_statement(has_inner, |fault, unit, kind| {
-        let Statement::Invoke {
-            instance, outputs, ..
-        } = kind
-        else {
-            return None;
-        };
-        let output = fault.choose(inner(block_of(original, unit, *instance)?))?;
+    change_call(fault, has_inner, |fault, unit, block, _, outputs| {
+        let output = fault.choose(inner(block))?;
         let taker = fault.place(unit, |place, writable| {
             writable && elementary(original, &place.ty).is_some()
         })?;
@@ -107,19 +115,11 @@ pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 pub(super) fn output_taken(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
-    let takes =
-        |_, kind: &Statement| matches!(kind, Statement::Invoke { outputs, .. } if !outputs.is_empty());
-    fault.change_statement(takes, |fault, unit, kind| {
-        let Statement::Invoke {
-            instance, outputs, ..
-        } = kind
-        else {
-            return None;
-        };
+    let has_outputs = |_: &Pou, _, outputs| outputs > 0;
+    change_call(fault, has_outputs, |fault, unit, block, _, outputs| {
         let which = fault.choose((0..outputs.len()).collect())?;
         let (output, taker) = outputs.get_mut(which)?;
-        let given = &block_of(original, unit, *instance)?.variables.get(output.0)?.ty;
-        let given = elementary(original, given)?;
+        let given = elementary(original, &block.variables.get(output.0)?.ty)?;
         *taker = fault.place(unit, |place, writable| {
             writable && elementary(original, &place.ty).is_some_and(|into| never(given, into, dialect))
         })?;
@@ -160,26 +160,27 @@ fn literals(block: &Pou) -> Option<Vec<String>> {
         .collect()
 }
 
+/// Picks an argument of a VAR_IN_OUT that has an elementary type: returns its number, its place, a copy of it, and its type.
+fn in_out(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ExpressionSite, Expression, ElementaryType)> {
+    let original = fault.original;
+    let (number, site, expression) = fault.pick_expression(|site, expression| {
+        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
+    })?;
+    let ty = elementary(original, &expression.ty)?;
+    Some((number, site, expression, ty))
+}
+
 /// Plants an expression other than a variable as argument of a VAR_IN_OUT.
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn no_variable(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
-    let ty = elementary(original, &expression.ty)?;
+    let (number, _, expression, ty) = in_out(fault)?;
     let sum = ty.is_integer() && fault.input.ratio(1, 2).unwrap_or(false);
-    fault.replace(
-        number,
-        if sum {
-            let one = Box::new(literal(ty));
-            ExpressionKind::Binary(BinaryOperator::Add, Box::new(expression), one)
-        } else {
-            literal(ty).kind
-        },
-    );
-    Some(())
+    let kind = match sum {
+        true => ExpressionKind::Binary(BinaryOperator::Add, Box::new(expression), Box::new(literal(ty))),
+        false => literal(ty).kind,
+    };
+    fault.replace(number, kind)
 }
 
 /// Plants a variable of another type, also one that widens elsewhere, as argument of a VAR_IN_OUT.
@@ -187,10 +188,7 @@ pub(super) fn no_variable(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: language/diagnostics-calls.st; widening/in-out.toml.
 pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let (number, site, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
-    let own = elementary(original, &expression.ty)?;
+    let (number, site, _, own) = in_out(fault)?;
     // A type that would widen as an input is the error that is easiest to overlook.
     let widening = fault.input.ratio(1, 2).unwrap_or(true);
     let yes = |ty| implicit(ty, own, original.dialect) == MatrixWord::Yes;
@@ -215,12 +213,9 @@ pub(super) fn other_type(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: language/diagnostics-calls.st.
 pub(super) fn constant(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let (number, site, expression) = fault.pick_expression(|site, expression| {
-        site.context == ExpressionContext::InOut && elementary(original, &expression.ty).is_some()
-    })?;
+    let (number, site, expression, ty) = in_out(fault)?;
     // The initial value of the constant is an expression too, so that the others have new numbers behind it.
     fault.replace(number, ExpressionKind::Raw(PLANTED.to_owned()));
-    let value = literal(elementary(original, &expression.ty)?);
+    let value = literal(ty);
     constants::declare(fault, site.unit, expression.ty, InitialValue::Expression(value)).map(|_| ())
 }

@@ -35,24 +35,6 @@ pub(super) fn argument_too_many(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     Some(())
 }
 
-/// Plants one argument less than the function has inputs, by position.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn argument_too_few(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    call(
-        fault,
-        |_| true,
-        |function| {
-            let mut arguments: Vec<_> = inputs(function)
-                .into_iter()
-                .map(|(_, ty)| literal_text(ty))
-                .collect();
-            arguments.pop();
-            arguments.join(", ")
-        },
-    )
-}
-
 /// Plants a call of a standard function with one argument more or less than it has parameters.
 ///
 /// Basis: ironplc-problem-codes: P4018; iec-61131-3: Tables 28 to 34.
@@ -141,82 +123,43 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Pou> {
         .collect()
 }
 
-/// Returns the arguments of a call by name, each a literal.
-fn named(function: &Pou) -> Vec<String> {
-    inputs(function)
-        .into_iter()
-        .map(|(variable, ty)| format!("{} := {}", variable.name, literal_text(ty)))
-        .collect()
-}
-
-/// Replaces a value of the result type of a function by a call of it, as text.
-fn call(
-    fault: &mut FaultSite<'_, '_>,
-    eligible: fn(&Pou) -> bool,
-    arguments: impl FnOnce(&Pou) -> String,
-) -> Option<()> {
+/// Replaces a value of the result type of a function by a call of it with these arguments, in which `{names}` stands for all arguments
+/// by name, `{first}` for the first of them, `{others}` for the others, and `{value}` and `{fewer}` for the first and for all but the
+/// last by position.
+pub(super) fn call(fault: &mut FaultSite<'_, '_>, arguments: &str) -> Option<()> {
     let original = fault.original;
+    let least = if arguments.contains("{others}") { 2 } else { 1 };
     let fitting = |site: ExpressionSite, expression: &Expression| {
         // An implicitly converted value has another type than its place.
         let own = !matches!(expression.kind, ExpressionKind::Widen(_));
         let functions = callable(original, site.unit).into_iter();
-        functions
-            .filter(|function| own && function.result.as_ref() == Some(&expression.ty) && eligible(function))
-            .collect::<Vec<_>>()
+        let suits = |function: &&Pou| {
+            own && function.result.as_ref() == Some(&expression.ty) && inputs(function).len() >= least
+        };
+        functions.filter(suits).collect::<Vec<_>>()
     };
     let (number, site, expression) = fault.pick_expression(|site, expression| {
         stands_for_any_value(site, expression) && !fitting(site, expression).is_empty()
     })?;
     let function = fault.choose(fitting(site, &expression))?;
-    let text = format!("{}({})", function.name, arguments(function));
+    let inputs = inputs(function).into_iter();
+    let (names, values): (Vec<String>, Vec<String>) = inputs
+        .map(|(variable, ty)| {
+            (
+                format!("{} := {}", variable.name, literal_text(ty)),
+                literal_text(ty),
+            )
+        })
+        .unzip();
+    let ((first, others), (_, fewer)) = (names.split_first()?, values.split_last()?);
+    let arguments = arguments
+        .replace("{names}", &names.join(", "))
+        .replace("{first}", first)
+        .replace("{others}", &others.join(", "))
+        .replace("{value}", values.first()?)
+        .replace("{fewer}", &fewer.join(", "));
+    let text = format!("{}({arguments})", function.name);
     fault.replace(number, ExpressionKind::Raw(text))
-}
-
-/// Plants an argument by a name that the function does not have.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn unknown_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    call(
-        fault,
-        |_| true,
-        |function| {
-            let mut arguments = named(function);
-            arguments.push(format!("{PLANTED} := INT#1"));
-            arguments.join(", ")
-        },
-    )
-}
-
-/// Plants an argument that is given twice.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn name_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    call(
-        fault,
-        |_| true,
-        |function| {
-            let mut arguments = named(function);
-            arguments.extend_from_within(..1);
-            arguments.join(", ")
-        },
-    )
-}
-
-/// Plants a call in which some arguments have names and some have not.
-///
-/// Basis: ironplc-problem-codes: P4001.
-pub(super) fn mixed(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    call(
-        fault,
-        |function| inputs(function).len() > 1,
-        |function| {
-            let mut arguments = named(function);
-            if let (Some(first), Some(&(_, ty))) = (arguments.first_mut(), inputs(function).first()) {
-                *first = literal_text(ty);
-            }
-            arguments.join(", ")
-        },
-    )
 }
 
 /// Plants a function that calls itself.

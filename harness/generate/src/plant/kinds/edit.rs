@@ -3,7 +3,8 @@
 use super::super::fault_site::{FaultSite, PLANTED};
 use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
-use super::literals::integer_site;
+use super::bits::MissingBits;
+use super::calls;
 use super::misfits::{MisfitForm, misfit};
 use super::omitted_conversions::omit_conversion;
 use super::operands::stands_for_any_value;
@@ -23,31 +24,14 @@ pub(super) enum Edit {
         forms: Vec<MisfitForm>,
     },
     OmittedConversion(Vec<ExpressionContext>),
-    Integer {
-        contexts: Vec<ExpressionContext>,
-        texts: Vec<String>,
-    },
-    Literal(Vec<TypedTexts>),
-    Constant(Vec<String>),
-    Value(String),
-    Part(TypedTexts),
+    Expression(Vec<Replacement>),
+    Call(String),
+    BitRead(MissingBits),
+    BitWritten(MissingBits),
     Statement(Vec<String>),
     StatementOutsideLoops(String),
     Declaration(Vec<String>),
     ConstantDeclaration(Vec<String>),
-}
-
-/// Texts for a type.
-#[derive(serde::Deserialize)]
-pub(super) struct TypedTexts {
-    #[serde(rename = "type", deserialize_with = "elementary_type")]
-    ty: ElementaryType,
-    texts: Vec<String>,
-}
-
-fn elementary_type<'de, D: Deserializer<'de>>(deserializer: D) -> Result<ElementaryType, D::Error> {
-    let name = String::deserialize(deserializer)?;
-    ElementaryType::from_name(&name).ok_or_else(|| Error::custom(format!("`{name}` is no type")))
 }
 
 impl Edit {
@@ -58,16 +42,18 @@ impl Edit {
             Edit::OmittedConversion(contexts) => {
                 omit_conversion(fault, |context| contexts.contains(&context))
             }
-            Edit::Integer { contexts, texts } => integer(fault, contexts, texts),
-            Edit::Literal(alternatives) => alternatives.iter().find_map(|one| literal(fault, one)),
-            Edit::Constant(texts) => constant(fault, texts),
-            Edit::Value(text) => {
-                let (number, ..) = fault.pick_expression(stands_for_any_value)?;
-                fault.replace(number, ExpressionKind::Raw(text.clone()));
-                Some(())
+            Edit::Expression(replacements) => {
+                let first = fault.choose((0..replacements.len()).collect())?;
+                let (before, from) = replacements.split_at(first);
+                from.iter().chain(before).find_map(|one| one.plant(fault))
             }
-            Edit::Part(part) => self::part(fault, part),
-            Edit::Statement(texts) => fault.insert_text(|fault, unit| statement(fault, unit, texts)),
+            Edit::Call(arguments) => calls::call(fault, arguments),
+            Edit::BitRead(bits) => bits.read(fault),
+            Edit::BitWritten(bits) => bits.write(fault),
+            Edit::Statement(texts) => fault.insert_text(|fault, unit| {
+                let text = fault.choose(texts.clone())?;
+                with_variable(fault, unit, &text)
+            }),
             Edit::StatementOutsideLoops(text) => {
                 fault.insert(|_, in_loop| !in_loop, |_, _| Some(Statement::Raw(text.clone())))
             }
@@ -77,66 +63,72 @@ impl Edit {
     }
 }
 
-/// Puts one of the texts in a place for a value of a type.
-fn literal(fault: &mut FaultSite<'_, '_>, TypedTexts { ty, texts }: &TypedTexts) -> Option<()> {
-    let original = fault.original;
-    let (number, ..) = fault.pick_expression(|site, expression| {
-        site.context != ExpressionContext::InOut && elementary(original, &expression.ty) == Some(*ty)
-    })?;
-    let text = fault.choose(texts.clone())?;
-    fault.replace(number, ExpressionKind::Raw(text))
+/// Texts in the place of an expression.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Replacement {
+    /// The contexts of the expression; without them, those that take any value.
+    contexts: Option<Vec<ExpressionContext>>,
+    /// The types of the expression; without them, any.
+    #[serde(default, rename = "type", deserialize_with = "types")]
+    types: Vec<ElementaryType>,
+    texts: Vec<String>,
 }
 
-/// Puts one of the texts in one of these contexts, for a value of an integer type.
-fn integer(fault: &mut FaultSite<'_, '_>, contexts: &[ExpressionContext], texts: &[String]) -> Option<()> {
-    let original = fault.original;
-    let is_integer = |ty: &ElementaryType| ty.is_integer();
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        contexts.contains(&site.context)
-            && elementary(original, &expression.ty)
-                .as_ref()
-                .is_some_and(is_integer)
-    })?;
-    written(fault, number, elementary(original, &expression.ty)?, texts)
-}
-
-/// Puts one of the texts in a place for a value of an integer type.
-fn constant(fault: &mut FaultSite<'_, '_>, texts: &[String]) -> Option<()> {
-    let (number, ty) = integer_site(fault)?;
-    written(fault, number, ty, texts)
-}
-
-/// Replaces an expression of an integer type by one of the texts, in which numbers of that type are named.
-fn written(fault: &mut FaultSite<'_, '_>, number: usize, ty: ElementaryType, texts: &[String]) -> Option<()> {
-    let (low, high) = ty.integer_range()?;
-    let mut text = fault.choose(texts.to_vec())?.replace("{type}", ty.name());
-    for (name, value) in [
-        ("{low}", low),
-        ("{high}", high),
-        ("{below}", low - 1),
-        ("{above}", high + 1),
-        ("{far}", high * 3),
-    ] {
-        text = text.replace(name, &value.to_string());
-    }
-    fault.replace(number, ExpressionKind::Raw(text))
-}
-
-/// Replaces an expression, in a place that takes any value, by a variable of a type followed by one of the texts.
-fn part(fault: &mut FaultSite<'_, '_>, TypedTexts { ty, texts }: &TypedTexts) -> Option<()> {
-    let (number, site, _) = fault.pick_expression(stands_for_any_value)?;
-    let name = fault.variable_text(site.unit, *ty)?;
-    let text = fault.choose(texts.clone())?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}{text}")))
-}
-
-fn statement(fault: &mut FaultSite<'_, '_>, unit: Unit, texts: &[String]) -> Option<String> {
-    let name = match texts.iter().any(|text| text.contains("{name}")) {
-        true => fault.variable_text(unit, ElementaryType::Int)?,
-        false => String::new(),
+/// Reads a word for elementary types.
+fn types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<ElementaryType>, D::Error> {
+    let word = String::deserialize(deserializer)?;
+    let is_meant = |ty: &ElementaryType| match &*word {
+        "integer" => ty.is_integer(),
+        "signed" => ty.is_signed(),
+        "unsigned" => ty.is_unsigned(),
+        name => ty.name() == name,
     };
-    let text = fault.choose(texts.to_vec())?;
-    Some(text.replace("{name}", &name))
+    let types: Vec<_> = ElementaryType::ALL.into_iter().filter(is_meant).collect();
+    match types.is_empty() {
+        true => Err(Error::custom(format!("`{word}` stands for no type"))),
+        false => Ok(types),
+    }
+}
+
+impl Replacement {
+    fn plant(&self, fault: &mut FaultSite<'_, '_>) -> Option<()> {
+        let original = fault.original;
+        let (number, site, expression) = fault.pick_expression(|site, expression| {
+            let is_in_place = match &self.contexts {
+                Some(contexts) => contexts.contains(&site.context),
+                None => stands_for_any_value(site, expression),
+            };
+            let ty = elementary(original, &expression.ty);
+            is_in_place && (self.types.is_empty() || ty.is_some_and(|ty| self.types.contains(&ty)))
+        })?;
+        let mut text = fault.choose(self.texts.clone())?;
+        let ty = elementary(original, &expression.ty).filter(|ty| ty.is_integer());
+        if let Some((ty, (low, high))) = ty.zip(ty.and_then(ElementaryType::integer_range)) {
+            text = text.replace("{type}", ty.name());
+            for (name, value) in [
+                ("{low}", low),
+                ("{high}", high),
+                ("{below}", low - 1),
+                ("{above}", high + 1),
+                ("{far}", high * 3),
+            ] {
+                text = text.replace(name, &value.to_string());
+            }
+        }
+        let text = with_variable(fault, site.unit, &text)?;
+        fault.replace(number, ExpressionKind::Raw(text))
+    }
+}
+
+/// Replaces the type that a text names in braces by the name of a variable of this type.
+fn with_variable(fault: &mut FaultSite<'_, '_>, unit: Unit, text: &str) -> Option<String> {
+    let Some((_, rest)) = text.split_once('{') else {
+        return Some(text.to_owned());
+    };
+    let (ty, _) = rest.split_once('}')?;
+    let name = fault.variable_text(unit, ElementaryType::from_name(ty)?)?;
+    Some(text.replace(&format!("{{{ty}}}"), &name))
 }
 
 /// Declares one of several types for a variable with a name of its own.

@@ -3,7 +3,6 @@
 use super::super::fault_site::FaultSite;
 use super::super::scope::elementary;
 use super::super::walk::{ExpressionContext, ExpressionSite};
-use super::operands::stands_for_any_value;
 use crate::model::{Expression, ExpressionKind, Type};
 use stickler_types::{Dialect, ElementaryType};
 
@@ -48,51 +47,6 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     })?;
     let digits = usize::try_from(bits(&expression)?.bits() / 4).ok()?;
     fault.replace(number, ExpressionKind::Raw(format!("16#1{}", "0".repeat(digits))))
-}
-
-/// Plants a typed literal that its type does not hold.
-///
-/// Basis: language/literals-outside.toml; widening/typed-literal-that-does-not-fit.toml.
-pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(fault)?;
-    let (low, high) = ty.integer_range()?;
-    let mut beyond = vec![high + 1];
-    if low < 0 {
-        beyond.push(low - 1);
-    }
-    let value = fault.choose(beyond)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{ty}#{value}")))
-}
-
-/// Picks a place for a value of an integer type without an implicit conversion.
-pub(super) fn integer_site(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ElementaryType)> {
-    let original = fault.original;
-    let integer = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_integer());
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        stands_for_any_value(site, expression) && integer(expression).is_some()
-    })?;
-    Some((number, integer(&expression)?))
-}
-
-/// Plants a real literal beyond its type.
-///
-/// Basis: language/literals-outside.toml.
-pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let real = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_real());
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        let with_target = site.context.has_target() || site.context == ExpressionContext::Initial;
-        with_target && real(expression).is_some()
-    })?;
-    let ty = real(&expression)?;
-    let beyond = if ty == ElementaryType::Real {
-        "1.0E39"
-    } else {
-        "1.0E309"
-    };
-    let texts = vec![beyond.to_owned(), format!("-{beyond}"), format!("{ty}#{beyond}")];
-    let text = fault.choose(texts)?;
-    fault.replace(number, ExpressionKind::Raw(text))
 }
 
 /// Plants a constant subscript outside the array.

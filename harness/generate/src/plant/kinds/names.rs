@@ -50,30 +50,6 @@ fn has_fields(program: &Program, ty: &Type) -> bool {
     program.fields(ty).is_some() || matches!(ty, Type::Block(_))
 }
 
-/// Plants an undeclared function in the place of a value.
-///
-/// Basis: language/diagnostics-names.st; conversion/bad-name.toml.
-pub(super) fn function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let (number, ..) = fault.pick_expression(stands_for_any_value)?;
-    let names = ["PLANTED", "INT_TO_DNIT", "TO_DIMT", "BDC_TO_INT", "ITN_TO_REAL"];
-    let name = fault.choose(names.to_vec())?;
-    let arguments = fault.choose(vec!["INT#1", "BOOL#TRUE", "INT#1, DINT#2", "(INT#3 + INT#4)"])?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}({arguments})")))
-}
-
-/// Plants a call of a variable that is no instance of a function block.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn no_instance(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    fault.insert_text(|fault, unit| {
-        let types = [ElementaryType::Int, ElementaryType::Bool, ElementaryType::Real];
-        let ty = fault.choose(types.to_vec())?;
-        let name = fault.variable_text(unit, ty)?;
-        let arguments = fault.choose(vec!["", "x := 1"])?;
-        Some(format!("{name}({arguments});"))
-    })
-}
-
 /// Plants a value that the enumeration does not have, with the enumeration's name in front of it.
 ///
 /// Basis: ironplc-problem-codes: P2006.

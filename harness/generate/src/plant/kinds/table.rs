@@ -3,7 +3,7 @@
 use super::super::fault_site::FaultSite;
 use super::edit::Edit;
 use super::{
-    bits, blocks, calls, constants, declarations, literals, misfits, names, omitted_conversions, operands,
+    blocks, calls, constants, declarations, literals, misfits, names, omitted_conversions, operands,
     statements,
 };
 use serde::de::{Deserialize, Deserializer, Error};
@@ -103,14 +103,10 @@ const FUNCTIONS: &[(&str, Plant)] = functions! {
     operands::compared_aggregates,
     literals::integer_for_operand,
     literals::bits_for_target,
-    literals::typed_integer,
-    literals::real,
     literals::subscript,
     names::variable_read,
     names::initial,
     names::field,
-    names::function,
-    names::no_instance,
     names::enumerated_value,
     names::other_enumeration,
     names::variable_twice,
@@ -121,12 +117,8 @@ const FUNCTIONS: &[(&str, Plant)] = functions! {
     names::field_twice,
     names::enumerated_value_twice,
     calls::argument_too_many,
-    calls::argument_too_few,
     calls::standard_argument,
     calls::conversion_argument,
-    calls::unknown_name,
-    calls::name_twice,
-    calls::mixed,
     calls::recursive_function,
     calls::recursive_block,
     blocks::unknown_input,
@@ -139,10 +131,6 @@ const FUNCTIONS: &[(&str, Plant)] = functions! {
     blocks::constant,
     constants::assigned,
     constants::part_assigned,
-    bits::outside_read,
-    bits::outside_written,
-    bits::none_read,
-    bits::none_written,
     statements::descending_labels,
     declarations::third_edition,
     declarations::constant_instance,

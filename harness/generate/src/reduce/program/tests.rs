@@ -81,7 +81,7 @@ fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, OutcomeSymptom)> {
 }
 
 fn reduced(bug: &Bug, start: &Program, symptom: &OutcomeSymptom) -> Reduction<Program> {
-    let interesting = |candidate: &Program| match expected(candidate) {
+    let mut interesting = |candidate: &Program| match expected(candidate) {
         Some(expected) => {
             let text = write(candidate, &Style::default()).text;
             let diagnostics = stickler_reference::errors(&text, candidate.dialect);
@@ -93,7 +93,7 @@ fn reduced(bug: &Bug, start: &Program, symptom: &OutcomeSymptom) -> Reduction<Pr
         }
         None => Interestingness::Invalid,
     };
-    program(start, interesting, &ReductionBudget::default())
+    program(start, &mut interesting, &ReductionBudget::default())
 }
 
 fn lines(program: &Program) -> usize {
