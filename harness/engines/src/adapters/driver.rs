@@ -65,6 +65,14 @@ impl DrivenProgram<'_> {
     }
 }
 
+/// Returns the statements that set the clock of a request before its scans, each with the number of its scan.
+pub(super) fn clock(request: &RunRequest<'_>, statement: impl Fn(i64) -> String) -> Vec<(u32, String)> {
+    let clock = request.clock.iter();
+    clock
+        .map(|step| (step.before, statement(step.nanoseconds)))
+        .collect()
+}
+
 /// Writes the statements of the scan that it is: a choice, for a program may have thousands of scans.
 fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option<u32>, &'s String)>) {
     let mut by_scan: BTreeMap<u32, String> = BTreeMap::new();
@@ -85,7 +93,7 @@ fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option
 
 /// A driver of programs.
 pub(super) struct Driver<'r> {
-    pub(super) language: Language,
+    pub(super) language: &'static Language,
     /// The text before the programs: headers, and the translated text where one file has all of it.
     pub(super) head: String,
     /// The programs, in order.
@@ -142,7 +150,7 @@ impl Driver<'_> {
             );
         }
         DriverText {
-            file: self.language.driver(),
+            file: self.language.driver,
             text,
         }
     }

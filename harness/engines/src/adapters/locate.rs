@@ -1,4 +1,4 @@
-//! Calls the programs of a compiler, and describes their errors.
+//! Calls the programs of a compiler, reads what they print, and describes their errors.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
 use crate::{EngineError, Identity, NamedValue, Outcome};
@@ -94,9 +94,22 @@ pub(super) fn call<A: AsRef<OsStr>>(
 /// still runs then has an endless loop.
 pub(super) const EXECUTION_TIMEOUT: Duration = Duration::from_secs(10);
 
+/// Returns the text without terminal control sequences: some compilers colour their output also where no terminal reads it.
+pub(crate) fn without_colours(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_steers_a_terminal_is_gone_and_all_else_stays() {
+        let coloured =
+            "\u{1b}[1m\u{1b}[38;5;9merror\u{1b}[0m: ä\n\u{1b}]8;;https://x\u{7}more\u{1b}]8;;\u{7}\n";
+        assert_eq!(without_colours(coloured), "error: ä\nmore\n");
+        assert_eq!(without_colours("a\u{1b}["), "a");
+    }
 
     #[test]
     fn the_programs_of_a_pack_are_asked_about_alone_once_a_compiler_took_too_long_over_it() {

@@ -12,7 +12,7 @@ mod pack;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, C};
 use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
@@ -66,7 +66,7 @@ impl Adapter for Matiec {
         let library = path(tools, "MATIEC_LIB");
         Ok(Matiec {
             compiler: path(tools, "IEC2C"),
-            builder: Builder::new(path(tools, "CC"), Language::C, library.join("C"), driver::HEADER)?,
+            builder: Builder::new(path(tools, "CC"), &C, library.join("C"), driver::HEADER)?,
             library,
             taken: OnceLock::new(),
         })

@@ -14,7 +14,7 @@ mod program;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, C};
 use super::compilers::path;
 use super::fingerprint::Fingerprint;
 use super::locate::{failed, unsupported};
@@ -119,7 +119,7 @@ impl Adapter for Rusty {
             compiler: path(tools, "PLC"),
             declarations,
             library: StandardLibrary::new(path(tools, "RUSTY_LIB")),
-            builder: Builder::new(path(tools, "CC"), Language::C, headers, driver::HEADER)?,
+            builder: Builder::new(path(tools, "CC"), &C, headers, driver::HEADER)?,
             reader: OutputParser::new()?,
             taken: OnceLock::new(),
         })

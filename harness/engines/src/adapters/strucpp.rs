@@ -12,7 +12,7 @@ mod translator;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, CPP};
 use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
@@ -111,7 +111,7 @@ impl Adapter for Strucpp {
         let node = path(tools, "NODE");
         Ok(Strucpp {
             translator: Translator::new(&node, &package.join("dist/index.js"))?,
-            builder: Builder::new(path(tools, "CXX"), Language::Cpp, headers.clone(), driver::HEADER)?,
+            builder: Builder::new(path(tools, "CXX"), &CPP, headers.clone(), driver::HEADER)?,
             node,
             package,
             headers,
