@@ -2,7 +2,7 @@
 //! case.
 
 use crate::ExportError;
-use crate::encoding::ValueEncoding;
+use crate::encoding::encoded;
 use crate::page::{FIRST_OBSERVATION, PageText};
 use crate::page_case::PageCase;
 use crate::record::CaseRecord;
@@ -11,6 +11,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use stickler_run::DefinedHeader;
+use stickler_types::ElementaryType;
 
 /// The file name of the manifest.
 pub const MANIFEST: &str = "manifest.json";
@@ -178,12 +179,9 @@ impl Manifest {
 }
 
 impl StepRecord {
-    /// Returns the encoding of the observed value of a case; compared only where the case only has to run.
-    pub(crate) fn encoding(&self, ready: &PageCase<'_>) -> ValueEncoding {
-        let observed = self.observe.map(|observe| &ready.case.observe[observe]);
-        observed.map_or(ValueEncoding::Compared, |observed| {
-            ValueEncoding::of(&observed.type_name)
-        })
+    /// Returns the type that the observed value of a case is [encoded] as, where it is encoded.
+    pub(crate) fn encoded(&self, ready: &PageCase<'_>) -> Option<ElementaryType> {
+        encoded(&ready.case.observe[self.observe?].type_name)
     }
 }
 
