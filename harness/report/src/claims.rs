@@ -80,8 +80,11 @@ impl AddAssign for Standing {
     }
 }
 
+/// The title of a column, and its number.
+type Column = (&'static str, fn(&Standing) -> u64);
+
 /// The columns of a table of claims of one engine.
-pub(crate) const COLUMNS: [(&str, fn(&Standing) -> u64); 6] = [
+pub(crate) const COLUMNS: [Column; 6] = [
     ("passed", |standing| standing.passed),
     ("failed", |standing| standing.failed),
     ("differs", |standing| standing.differs),
