@@ -24,6 +24,8 @@ mod rusty;
 mod settings;
 mod source;
 mod strucpp;
+#[cfg(test)]
+mod tests;
 mod values;
 
 use crate::{Ability, Engine, EngineError, NoReproduction, Reproduction, RunRequest};

@@ -223,7 +223,7 @@ fn unusable(ended: Outcome) -> Outcome {
 
 /// Splits the output of a driver that ran `count` programs one after the other. Returns the output of each program; `None` for
 /// a program that did not run to its end.
-fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
+pub(super) fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
     let mut parts: Vec<Option<String>> = vec![None; count];
     let mut part = String::new();
     for line in printed.lines().filter(|line| !line.is_empty()) {
@@ -240,16 +240,4 @@ fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
         }
     }
     parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::parts;
-
-    #[test]
-    fn only_what_ran_to_its_end_has_printed_something() {
-        let printed = "\n< 0\nx = 1\ny = 2\n\n> 0\n\n< 1\nx = 3\n< 2\n\n> 2\n\n> 9\n\n> x\n";
-        let whole = Some("x = 1\ny = 2\n".to_owned());
-        assert_eq!(parts(printed, 3), [whole, None, Some(String::new())]);
-    }
 }

@@ -104,14 +104,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_steers_a_terminal_is_gone_and_all_else_stays() {
-        let coloured =
-            "\u{1b}[1m\u{1b}[38;5;9merror\u{1b}[0m: ä\n\u{1b}]8;;https://x\u{7}more\u{1b}]8;;\u{7}\n";
-        assert_eq!(without_colours(coloured), "error: ä\nmore\n");
-        assert_eq!(without_colours("a\u{1b}["), "a");
-    }
-
-    #[test]
     fn the_programs_of_a_pack_are_asked_about_alone_once_a_compiler_took_too_long_over_it() {
         let timed_out = Outcome::TimedOut { after_ms: 60_000 };
         assert_eq!(suspects(&timed_out, 3), BTreeSet::from([0, 1, 2]));
