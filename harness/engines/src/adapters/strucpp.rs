@@ -75,7 +75,7 @@ impl Strucpp {
     }
 }
 
-fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
+pub(super) fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
     let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
     let capitals = words.filter(|word| !word.bytes().any(|byte| byte.is_ascii_lowercase()));
     // For a type `X` the compiler also declares `IEC_X`.
@@ -198,17 +198,6 @@ impl Strucpp {
 mod tests {
     use super::*;
     use crate::process::Folder;
-
-    #[test]
-    fn names_in_capitals_are_taken() {
-        let found: Vec<String> = capitals("using IEC_TIME = IECVar<TIME_t>; // an ADD_X").collect();
-        let named: Vec<&str> = found
-            .iter()
-            .map(String::as_str)
-            .filter(|name| !name.is_empty())
-            .collect();
-        assert_eq!(named, ["TIME", "ADD_X"]);
-    }
 
     #[test]
     fn a_command_outside_the_package_is_told() {

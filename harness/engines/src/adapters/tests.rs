@@ -6,7 +6,7 @@ use super::recipe::{PROGRAM, Recipe};
 use super::settings::{copied_by_scan, with_settings};
 use super::source::{enumeration, main_program, own_configuration};
 use super::values::{ValueExpression, functions, kinds, statement, value, values};
-use super::{driver, rename};
+use super::{builder, driver, rename, rusty, strucpp};
 use crate::{Observation, RunRequest, Setting};
 use std::collections::HashSet;
 use std::path::Path;
@@ -75,6 +75,12 @@ fn of_text(example: &Example) -> Option<String> {
         "mistake" => template.err(),
         "has LIB" => Some(template.unwrap().has("LIB").to_string()),
         "parts of 3" => Some(format!("{:?}", driver::parts(text, 3))),
+        "short" => Some(rusty::short(text)),
+        "capitals" => {
+            let found: Vec<_> = strucpp::capitals(text).filter(|name| !name.is_empty()).collect();
+            Some(found.join(", "))
+        }
+        "without folder" => Some(builder::without_folder(text, Path::new(example.text("folder")))),
         "functions" => Some(functions(text)).filter(|functions| !functions.is_empty()),
         _ => of_value(example),
     }
