@@ -7,6 +7,7 @@ use super::source::words_of;
 use crate::{Diagnostic, RunRequest};
 use std::collections::HashSet;
 use std::path::Path;
+use std::sync::LazyLock;
 use stickler_syntax::names::separable;
 use stickler_syntax::{Edits, words};
 use stickler_types::{Dialect, DialectName};
@@ -46,6 +47,9 @@ pub(super) fn places_named(text: &str) -> Vec<usize> {
     };
     behind.filter_map(number).collect()
 }
+
+/// The names that programs in a pack must not declare; read when first needed.
+pub(super) type TakenNames = LazyLock<HashSet<String>, Box<dyn FnOnce() -> HashSet<String> + Send>>;
 
 /// Returns every word of the library files with this extension in a folder, in capitals: the keywords, and the names that the
 /// library of a dialect's compiler declares. A file that cannot be read is left out: the compiler will report it.

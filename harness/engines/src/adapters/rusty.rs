@@ -19,7 +19,7 @@ use super::compilers::path;
 use super::fingerprint::Fingerprint;
 use super::locate::{failed, unsupported};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
-use super::rename::library_words;
+use super::rename::{TakenNames, library_words};
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use diagnostics::OutputParser;
@@ -27,10 +27,9 @@ use diagnostics::{ErrorPart, LocatedDiagnostic, sorted};
 use driver::RustyDriver;
 use library::StandardLibrary;
 use program::PackedProgram;
-use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use stickler_types::DialectName;
 
 /// Returns the recipe that gives a program to the compiler, for a command that says what it makes of it.
@@ -66,17 +65,11 @@ pub(super) struct Rusty {
     library: StandardLibrary,
     builder: Builder,
     reader: OutputParser,
-    /// The names that programs in a pack must not declare; read when first needed.
-    taken: OnceLock<HashSet<String>>,
+    /// The words of the declarations of the library.
+    taken: TakenNames,
 }
 
 impl Rusty {
-    /// Returns every word of the declarations of the library, in capitals.
-    fn taken(&self) -> &HashSet<String> {
-        self.taken
-            .get_or_init(|| library_words(&self.declarations, "st", DialectName::RUSTY))
-    }
-
     /// Builds the driver of a recipe with the object file and the standard library.
     ///
     /// # Errors
@@ -114,14 +107,14 @@ impl Adapter for Rusty {
 
     fn new(tools: &mut Tools) -> Result<Rusty, String> {
         let declarations = path(tools, "RUSTY_INCLUDE");
-        let headers = declarations.clone();
+        let [headers, folder] = [&declarations; 2].map(PathBuf::clone);
         Ok(Rusty {
             compiler: path(tools, "PLC"),
             declarations,
             library: StandardLibrary::new(path(tools, "RUSTY_LIB")),
             builder: Builder::new(path(tools, "CC"), &C, headers, driver::HEADER)?,
             reader: OutputParser::new()?,
-            taken: OnceLock::new(),
+            taken: LazyLock::new(Box::new(move || library_words(&folder, "st", DialectName::RUSTY))),
         })
     }
 

@@ -19,12 +19,13 @@ use super::fingerprint::Fingerprint;
 use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::rename::TakenNames;
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{StrucppSubject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use stickler_syntax::features::standard_block;
 use stickler_types::{Dialect, DialectName};
 use translator::{Translated, Translator};
@@ -54,25 +55,20 @@ pub(super) struct Strucpp {
     package: PathBuf,
     /// The folder of the compiler's run-time headers.
     headers: PathBuf,
-    /// The names that programs in a pack must not declare; see [`Strucpp::taken`].
-    taken: OnceLock<HashSet<String>>,
+    /// The names in the run-time headers.
+    taken: TakenNames,
 }
 
-impl Strucpp {
-    /// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
-    /// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
-    /// own.
-    fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| {
-            // A file that cannot be read is reported by the compiler.
-            let files = std::fs::read_dir(&self.headers).into_iter().flatten().flatten();
-            let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
-            texts.fold(HashSet::new(), |mut taken, text| {
-                taken.extend(capitals(&text));
-                taken
-            })
-        })
-    }
+/// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
+/// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
+/// own.
+fn header_names(headers: &Path) -> HashSet<String> {
+    // A file that cannot be read is reported by the compiler.
+    let files = std::fs::read_dir(headers).into_iter().flatten().flatten();
+    let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
+    texts
+        .flat_map(|text| capitals(&text).collect::<Vec<_>>())
+        .collect()
 }
 
 pub(super) fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
@@ -108,14 +104,14 @@ impl Adapter for Strucpp {
         let package = package(&path(tools, "STRUCPP"))?;
         let headers = package.join("src/runtime/include");
         tools.push(("STRUCPP_INCLUDE".to_owned(), headers.clone()));
-        let node = path(tools, "NODE");
+        let (node, folder) = (path(tools, "NODE"), headers.clone());
         Ok(Strucpp {
             translator: Translator::new(&node, &package.join("dist/index.js"))?,
             builder: Builder::new(path(tools, "CXX"), &CPP, headers.clone(), driver::HEADER)?,
             node,
             package,
             headers,
-            taken: OnceLock::new(),
+            taken: LazyLock::new(Box::new(move || header_names(&folder))),
         })
     }
 

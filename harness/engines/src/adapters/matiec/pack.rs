@@ -134,7 +134,7 @@ impl Joined {
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Matiec, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let taken = adapter.taken();
+    let taken = &adapter.taken;
     let member = |place, request| PackMember::of(place, request, taken);
     rounds::pack(
         requests,

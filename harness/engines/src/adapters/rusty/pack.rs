@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Rusty, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let taken = adapter.taken();
+    let taken = &adapter.taken;
     let member = |place, request| PackedProgram::among_others(request, place, taken);
     rounds::pack(
         requests,
