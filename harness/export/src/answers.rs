@@ -84,6 +84,7 @@ fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<ReportedOutcom
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
 
     #[test]
     fn answers_are_a_word_and_an_id() {
@@ -117,19 +118,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_answer_is_told_with_its_line() {
-        for (text, expected) in [
-            ("\nrejectd a/b\n", "answers.txt:2: `rejectd` is no answer"),
-            ("rejected", "answers.txt:1: a word and the id"),
-            (
-                "rejected a\naccepted a",
-                "answers.txt:2: a has another answer at answers.txt:1",
-            ),
-        ] {
-            let error = parse(text, Path::new("answers.txt"), DialectName::MATIEC)
-                .expect_err("a mistake")
-                .to_string();
-            assert!(error.starts_with(expected), "{error}");
-        }
+    fn golden_mistakes_of_answers() {
+        check_examples("tests/answers.md", |example| {
+            let parsed = parse(
+                example.text("text"),
+                Path::new("answers.txt"),
+                DialectName::MATIEC,
+            );
+            parsed.expect_err("a mistake").to_string()
+        });
     }
 }
