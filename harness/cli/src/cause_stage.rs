@@ -2,7 +2,8 @@
 
 use crate::arguments::RunArguments;
 use crate::output;
-use crate::progress::Progress;
+use crate::progress::bar;
+use indicatif::ProgressBar;
 use std::time::{Duration, Instant};
 use stickler_causes::{FailedCases, Search, SearchLimits, find};
 use stickler_engines::Engine;
@@ -54,13 +55,17 @@ impl<'r> CauseStage<'r> {
         let Some(mut footer) = self.footer else { return };
         let begun = Instant::now();
         if self.limits.is_some() && !self.failed.is_empty() {
-            let progress = self.shows_progress.then(Progress::of_causes);
-            let found = find(&self.failed, search, &mut |reported| {
-                progress
-                    .iter()
-                    .for_each(|bar| bar.look_at(reported.done, reported.of));
+            let bar = self.shows_progress.then(|| {
+                let template = "{wide_bar} {human_pos}/{human_len} {elapsed}, looking for causes";
+                bar(Some(0), template)
             });
-            progress.iter().for_each(Progress::finish);
+            let found = find(&self.failed, search, &mut |reported| {
+                if let Some(bar) = &bar {
+                    bar.set_length(reported.of);
+                    bar.set_position(reported.done);
+                }
+            });
+            bar.iter().for_each(ProgressBar::finish_and_clear);
             let causes = found.unwrap_or_else(|error| {
                 output::note(format!("the causes could not be searched for: {error}"));
                 Vec::new()

@@ -25,7 +25,6 @@ mod output;
 mod progress;
 mod reduction_engine;
 mod run_plan;
-mod running;
 mod shell;
 mod snippet;
 mod source_file;

@@ -2,6 +2,7 @@
 
 use anstyle::{AnsiColor, Style};
 use serde::Serialize;
+use serde_json::Value as Json;
 use std::env;
 use std::fmt::Display;
 use std::io::{self, BufWriter, Write};
@@ -80,6 +81,14 @@ pub fn width() -> Option<usize> {
 pub fn json_line(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer(&mut *out, value)?;
     writeln!(out)
+}
+
+/// Removes the keys of an object that have no value.
+pub fn without_nulls(mut object: Json) -> Json {
+    if let Some(keys) = object.as_object_mut() {
+        keys.retain(|_, value| !value.is_null());
+    }
+    object
 }
 
 /// Writes an error and its causes to stderr.

@@ -27,19 +27,6 @@ impl Progress {
         }
     }
 
-    /// Makes a bar for the search for causes, whose groups of cases are not counted yet.
-    pub fn of_causes() -> Progress {
-        let progress = Progress::new(0);
-        progress.bar.set_message(", looking for causes");
-        progress
-    }
-
-    /// Sets how many of all groups of failing cases were looked at.
-    pub fn look_at(&self, done: u64, of: u64) {
-        self.bar.set_length(of);
-        self.bar.set_position(done);
-    }
-
     /// Counts one more case; `failed` is the number of all cases so far that were not as expected.
     pub fn advance(&self, failed: u64) {
         self.bar.inc(1);

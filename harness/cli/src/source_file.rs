@@ -1,10 +1,11 @@
-//! Reads source files as bytes, whatever their encoding; several of them as one program.
+//! Reads source files as bytes, whatever their encoding; several of them as one program. Chooses which program of a text runs.
 
 use anyhow::{Context, ensure};
 use std::fs;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use stickler_types::Diagnostic;
+use stickler_syntax::tree::PouKind;
+use stickler_types::{Diagnostic, Dialect, DialectName};
 use walkdir::WalkDir;
 
 /// The name to show for stdin.
@@ -161,4 +162,36 @@ pub fn files_of(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     }
     ensure!(!files.is_empty(), "no file of {} ends with .st", folder.display());
     Ok(files)
+}
+
+/// Returns a text with a configuration that runs a PROGRAM, in place of those that it has; their global variables stay where they are.
+///
+/// # Errors
+/// No PROGRAM of this name.
+pub fn running(text: &str, name: &str, dialect: DialectName) -> anyhow::Result<String> {
+    let (unit, _) = stickler_syntax::parse(text, Dialect::of(dialect));
+    let mut programs = unit.pous().filter(|pou| pou.kind == PouKind::Program);
+    ensure!(
+        programs.any(|pou| pou.name.is(name)),
+        "there is no PROGRAM `{name}`"
+    );
+    let mut running = String::with_capacity(text.len());
+    let blank = |text: &str| text.replace(|character| character != '\n', " ");
+    let mut at = 0;
+    for configuration in unit.configurations() {
+        running.push_str(&text[at..configuration.span.start as usize]);
+        at = configuration.span.start as usize;
+        for globals in &configuration.globals {
+            running.push_str(&blank(&text[at..globals.span.start as usize]));
+            running.push_str(globals.span.text(text));
+            at = globals.span.end as usize;
+        }
+        running.push_str(&blank(&text[at..configuration.span.end as usize]));
+        at = configuration.span.end as usize;
+    }
+    running.push_str(&text[at..]);
+    running.push_str(&format!(
+        "\nCONFIGURATION stickler RESOURCE here ON this PROGRAM {name} : {name}; END_RESOURCE END_CONFIGURATION\n"
+    ));
+    Ok(running)
 }

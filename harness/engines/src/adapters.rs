@@ -14,9 +14,8 @@ mod described;
 mod driver;
 mod fingerprint;
 mod ironplc;
-mod locate;
+pub(crate) mod locate;
 mod matiec;
-pub(crate) mod plain;
 mod probe_variable;
 mod recipe;
 mod rename;
@@ -25,6 +24,8 @@ mod rusty;
 mod settings;
 mod source;
 mod strucpp;
+#[cfg(test)]
+mod tests;
 mod values;
 
 use crate::{Ability, Engine, EngineError, NoReproduction, Reproduction, RunRequest};

@@ -10,9 +10,8 @@ mod reply;
 mod request;
 mod server;
 
-pub use reply::{AcceptedReply, ErrorReply, ExecutedReply, FaultedReply, HelloReply};
-pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
-pub use request::{ClockMessage, HelloRequest, ProgramRequest, Request, RunMessage, SetMessage};
+pub use reply::{HelloReply, Reply};
+pub use request::{ClockMessage, ProgramRequest, Request, RunMessage, SetMessage};
 pub use server::serve;
 
 /// The version of the protocol that this crate speaks.

@@ -1,6 +1,6 @@
 //! Reproductions: the files and commands by which a person runs a program on a compiler without Stickler.
 
-use crate::adapters::plain::without_colours;
+use crate::adapters::locate::without_colours;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, Outcome, RunRequest};
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, words};
 
 /// The name of the file of answers.
 pub const ANSWERS: &str = "answers.txt";
@@ -22,12 +22,16 @@ pub(crate) const TEMPLATE: &str = "\
 # without such a case stay what they were, and what was copied of them still counts. This file stays as it is.
 ";
 
-/// The outcome of a case that a person observed.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum ReportedOutcome {
-    Accepted,
-    Rejected,
-    Crashed,
+words! {
+    /// The outcome of a case that a person observed.
+    ReportedOutcome {
+        /// The compiler accepts the program.
+        Accepted = "accepted",
+        /// The compiler rejects the program.
+        Rejected = "rejected",
+        /// The compiler crashes over the program, or the controller stops in it.
+        Crashed = "crashed",
+    }
 }
 
 /// The answers of a person, by the id of the case, each with its place in the file.
@@ -60,16 +64,11 @@ fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<ReportedOutcom
         let (word, id) = line
             .split_once(char::is_whitespace)
             .ok_or_else(|| broken("a word and the id of a case are missing; such as `rejected widening/integer::assignment(SINT,INT,0)`"))?;
-        let answer = match word.to_ascii_lowercase().as_str() {
-            "accepted" => ReportedOutcome::Accepted,
-            "rejected" => ReportedOutcome::Rejected,
-            "crashed" => ReportedOutcome::Crashed,
-            _ => {
-                return Err(broken(&format!(
-                    "`{word}` is no answer; the answers are `accepted`, `rejected` and `crashed`"
-                )));
-            }
-        };
+        let answer = ReportedOutcome::from_word(&word.to_ascii_lowercase()).ok_or_else(|| {
+            broken(&format!(
+                "`{word}` is no answer; the answers are `accepted`, `rejected` and `crashed`"
+            ))
+        })?;
         let id = id.trim();
         let id = id.strip_suffix(&dialect).unwrap_or(id);
         if let Some((other, before)) = answers.get(id)
@@ -85,6 +84,7 @@ fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<ReportedOutcom
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
 
     #[test]
     fn answers_are_a_word_and_an_id() {
@@ -118,19 +118,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_answer_is_told_with_its_line() {
-        for (text, expected) in [
-            ("\nrejectd a/b\n", "answers.txt:2: `rejectd` is no answer"),
-            ("rejected", "answers.txt:1: a word and the id"),
-            (
-                "rejected a\naccepted a",
-                "answers.txt:2: a has another answer at answers.txt:1",
-            ),
-        ] {
-            let error = parse(text, Path::new("answers.txt"), DialectName::MATIEC)
-                .expect_err("a mistake")
-                .to_string();
-            assert!(error.starts_with(expected), "{error}");
-        }
+    fn golden_mistakes_of_answers() {
+        check_examples("tests/answers.md", |example| {
+            let parsed = parse(
+                example.text("text"),
+                Path::new("answers.txt"),
+                DialectName::MATIEC,
+            );
+            parsed.expect_err("a mistake").to_string()
+        });
     }
 }

@@ -26,34 +26,14 @@ pub(crate) const INFINITE_EXPONENT: i32 = 9998;
 /// The number in place of the sign of a duration that has a part smaller than its unit, or that could not be taken apart.
 pub(crate) const REST_SIGN: i32 = 2;
 
-/// The encoding of a value in an array of results.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(crate) enum ValueEncoding {
-    /// The numbers of an elementary type.
-    Numbers(ElementaryType),
-    /// No numbers: the page only compares the value with the expected one.
-    Compared,
+/// Returns the elementary type of which the numbers of a value are; `None` where there are none, since the page only compares the value
+/// with the expected one.
+pub(crate) fn encoded(type_name: &str) -> Option<ElementaryType> {
+    ElementaryType::from_name(type_name).filter(|ty| pieces(*ty) > 0)
 }
 
-impl ValueEncoding {
-    /// Returns the encoding for the type of the given name.
-    pub(crate) fn of(type_name: &str) -> ValueEncoding {
-        match ElementaryType::from_name(type_name) {
-            Some(ty) if pieces(ty) > 0 => ValueEncoding::Numbers(ty),
-            _ => ValueEncoding::Compared,
-        }
-    }
-
-    /// Returns the number of elements of the array that the numbers of a value take.
-    pub(crate) fn pieces(self) -> usize {
-        match self {
-            ValueEncoding::Numbers(ty) => pieces(ty),
-            ValueEncoding::Compared => 0,
-        }
-    }
-}
-
-fn pieces(ty: ElementaryType) -> usize {
+/// Returns the number of elements of the array that the numbers of a value take.
+pub(crate) fn pieces(ty: ElementaryType) -> usize {
     match (ty.family(), ty.bits()) {
         (Family::Boolean, _) => 1,
         (Family::Signed, 64) | (Family::Unsigned | Family::BitString, 64) => 3,
@@ -77,7 +57,7 @@ pub(crate) enum DecodedValue {
     Invalid,
 }
 
-/// Decodes the numbers of a value, which are as many as [`ValueEncoding::pieces`] returns.
+/// Decodes the numbers of a value, which are as many as [`pieces`] returns.
 pub(crate) fn decode(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
     let found = match ty.family() {
         Family::Real => real(ty, numbers),
@@ -169,7 +149,7 @@ mod tests {
                 .split(' ')
                 .map(|number| number.parse().expect("a DINT"))
                 .collect();
-            assert_eq!(numbers.len(), ValueEncoding::Numbers(ty).pieces(), "{row}");
+            assert_eq!(numbers.len(), pieces(ty), "{row}");
             let found = match decode(ty, &numbers) {
                 DecodedValue::Value(value) => value.to_string(),
                 other => format!("{other:?}"),

@@ -2,7 +2,7 @@
 //! case.
 
 use crate::ExportError;
-use crate::encoding::ValueEncoding;
+use crate::encoding::encoded;
 use crate::page::{FIRST_OBSERVATION, PageText};
 use crate::page_case::PageCase;
 use crate::record::CaseRecord;
@@ -11,6 +11,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use stickler_run::DefinedHeader;
+use stickler_types::ElementaryType;
 
 /// The file name of the manifest.
 pub const MANIFEST: &str = "manifest.json";
@@ -178,12 +179,9 @@ impl Manifest {
 }
 
 impl StepRecord {
-    /// Returns the encoding of the observed value of a case; compared only where the case only has to run.
-    pub(crate) fn encoding(&self, ready: &PageCase<'_>) -> ValueEncoding {
-        let observed = self.observe.map(|observe| &ready.case.observe[observe]);
-        observed.map_or(ValueEncoding::Compared, |observed| {
-            ValueEncoding::of(&observed.type_name)
-        })
+    /// Returns the type that the observed value of a case is [encoded] as, where it is encoded.
+    pub(crate) fn encoded(&self, ready: &PageCase<'_>) -> Option<ElementaryType> {
+        encoded(&ready.case.observe[self.observe?].type_name)
     }
 }
 
@@ -220,56 +218,20 @@ impl PageRecord {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::{Value as Json, json};
-
-    /// Reads a manifest of one page with some of its keys changed; the error is its message.
-    fn read(changes: &[(&str, Json)]) -> Result<Manifest, String> {
-        let mut page = json!({
-            "file": "page-001.st", "number": 1, "identity": 1000, "elements": 11, "cases": [],
-            "lines": { "units": 0, "declarations": 1, "cases": [] },
-        });
-        for (key, value) in changes {
-            page[key] = value.clone();
-        }
-        let manifest =
-            json!({ "format": FORMAT, "stickler": "1", "suite": "1", "dialect": "matiec", "pages": [page] });
-        let folder = tempfile::tempdir().expect("a folder");
-        fs::write(folder.path().join(MANIFEST), manifest.to_string()).expect("written");
-        Manifest::read(folder.path()).map_err(|error| error.to_string())
-    }
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn what_points_nowhere_is_told() {
-        assert!(read(&[]).is_ok());
-        let lines = |cases: Json| ("lines", json!({ "units": 0, "declarations": 1, "cases": cases }));
-        for (changes, reported) in [
-            (
-                vec![lines(json!([[]]))],
-                "the lines of page 1 are not those of its cases",
-            ),
-            (vec![("elements", json!(5))], "page 1 has no array of results"),
-            (
-                vec![("elements", json!(u64::MAX))],
-                "page 1 has no array of results",
-            ),
-            (
-                vec![("steps", json!([{ "case": 0, "place": 8 }]))],
-                "an observation of page 1 stands outside it",
-            ),
-            (
-                vec![("answered", json!([0]))],
-                "page 1 has an answer for none of its cases",
-            ),
-            (
-                vec![("identity", json!(0)), lines(json!([[[3, 2]], []]))],
-                "lines of page 1 end before they begin",
-            ),
-        ] {
-            let error = read(&changes).expect_err(reported);
-            assert!(
-                error.ends_with(&format!("{MANIFEST}: {reported}; export again")),
-                "{error}"
-            );
-        }
+    fn golden_manifests_that_point_nowhere() {
+        let folder = tempfile::tempdir().expect("a folder");
+        check_examples("tests/manifests.md", |example| {
+            fs::write(folder.path().join(MANIFEST), example.text("manifest")).expect("written");
+            match Manifest::read(folder.path()) {
+                Ok(_) => "read".to_owned(),
+                Err(error) => {
+                    let told = error.to_string();
+                    told[told.find(MANIFEST).expect("the file")..].to_owned()
+                }
+            }
+        });
     }
 }

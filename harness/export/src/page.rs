@@ -19,7 +19,7 @@
 //! and nothing else is different.
 
 use crate::encode;
-use crate::encoding::ValueEncoding;
+use crate::encoding::pieces;
 use crate::manifest::StepRecord;
 use crate::page_case::{PageCase, PageKind, expected};
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,8 +61,9 @@ pub(crate) struct PageText<'c, 'r> {
 
 /// Returns the number of elements that the observations of a case take.
 pub(crate) fn elements_of(ready: &PageCase<'_>) -> usize {
-    let encodings = ready.encodings.iter().map(|(_, encoding)| 2 + encoding.pieces());
-    encodings.sum::<usize>().max(2)
+    let observed = ready.observed.iter();
+    let elements = observed.map(|(_, encoded)| 2 + encoded.map_or(0, pieces));
+    elements.sum::<usize>().max(2)
 }
 
 impl<'c, 'r> PageText<'c, 'r> {
@@ -309,13 +310,8 @@ impl<'c, 'r> PageText<'c, 'r> {
 
     /// Returns the types whose values are taken apart, in their order.
     fn types(&self) -> Vec<ElementaryType> {
-        let types = self
-            .steps
-            .iter()
-            .filter_map(|step| match step.encoding(&self.cases[step.case]) {
-                ValueEncoding::Numbers(ty) => Some(ty),
-                ValueEncoding::Compared => None,
-            });
+        let steps = self.steps.iter();
+        let types = steps.filter_map(|step| step.encoded(&self.cases[step.case]));
         types.collect::<BTreeSet<_>>().into_iter().collect()
     }
 }
@@ -325,15 +321,15 @@ fn steps(cases: &[PageCase<'_>]) -> (Vec<StepRecord>, usize) {
     let mut steps = Vec::new();
     let mut place = FIRST_OBSERVATION;
     for (case, ready) in cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
-        let mut add = |observe, encoding: ValueEncoding| {
+        let mut add = |observe, encoded: Option<ElementaryType>| {
             steps.push(StepRecord { case, observe, place });
-            place += 2 + encoding.pieces();
+            place += 2 + encoded.map_or(0, pieces);
         };
-        if ready.encodings.is_empty() {
-            add(None, ValueEncoding::Compared);
+        if ready.observed.is_empty() {
+            add(None, None);
         }
-        for &(observe, encoding) in &ready.encodings {
-            add(Some(observe), encoding);
+        for &(observe, encoded) in &ready.observed {
+            add(Some(observe), encoded);
         }
     }
     (steps, place)
@@ -357,7 +353,7 @@ fn write_readout(
                 "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;"
             );
         }
-        if let ValueEncoding::Numbers(ty) = step.encoding(ready) {
+        if let Some(ty) = step.encoded(ready) {
             let kind = kinds
                 .iter()
                 .position(|kind| *kind == ty)

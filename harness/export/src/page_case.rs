@@ -1,6 +1,6 @@
 //! Prepares a case for a page, or finds the reason why no page can hold it.
 
-use crate::encoding::ValueEncoding;
+use crate::encoding::encoded;
 use std::collections::BTreeSet;
 use stickler_run::breaks_reading;
 use stickler_suite::{Acceptance, Case, ExpectedValue};
@@ -100,8 +100,8 @@ pub(crate) struct PageCase<'c> {
     pub(crate) kind: PageKind,
     /// Whether a person noted the outcome of the case, which then keeps its place on the page without its program.
     pub(crate) answered: bool,
-    /// The encoding of each observed value, by its number in [`Case::observe`]; empty where only the run itself counts.
-    pub(crate) encodings: Vec<(usize, ValueEncoding)>,
+    /// The observed values by their numbers in [`Case::observe`], each with the type that it is [encoded] as; empty where only the run itself counts.
+    pub(crate) observed: Vec<(usize, Option<ElementaryType>)>,
 }
 
 impl<'c> PageCase<'c> {
@@ -117,7 +117,7 @@ impl<'c> PageCase<'c> {
             Acceptance::Observed | Acceptance::Required => false,
         };
         refuse(case)?;
-        let encodings = if rejected { Vec::new() } else { encodings(case)? };
+        let observed = if rejected { Vec::new() } else { observed(case)? };
         let parts = ProgramParts::of(&case.source, Dialect::of(case.dialect))?;
         let alone = parts.units.is_empty();
         // Where such a program is rejected, no other of its page would run.
@@ -136,7 +136,7 @@ impl<'c> PageCase<'c> {
             parts,
             kind,
             answered: false,
-            encodings,
+            observed,
         })
     }
 }
@@ -178,18 +178,15 @@ fn refuse(case: &Case) -> Result<(), Reason> {
     Ok(())
 }
 
-fn encodings(case: &Case) -> Result<Vec<(usize, ValueEncoding)>, Reason> {
-    let mut encodings = Vec::with_capacity(case.observe.len());
-    for (number, observe) in case.observe.iter().enumerate() {
-        let encoding = ValueEncoding::of(&observe.type_name);
-        if encoding != ValueEncoding::Compared || expected(case, number).is_some() {
-            encodings.push((number, encoding));
-        }
+fn observed(case: &Case) -> Result<Vec<(usize, Option<ElementaryType>)>, Reason> {
+    let all = case.observe.iter().map(|observe| encoded(&observe.type_name));
+    let is_shown =
+        |(number, encoded): &(usize, Option<_>)| encoded.is_some() || expected(case, *number).is_some();
+    let observed: Vec<_> = all.enumerate().filter(is_shown).collect();
+    match observed.is_empty() && !case.observe.is_empty() {
+        true => Err(Reason::Unseen),
+        false => Ok(observed),
     }
-    if encodings.is_empty() && !case.observe.is_empty() {
-        return Err(Reason::Unseen);
-    }
-    Ok(encodings)
 }
 
 /// Returns the value that an observed variable must have; `None` where the case expects none.

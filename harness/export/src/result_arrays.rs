@@ -1,6 +1,6 @@
 //! Assigns pasted arrays to their pages, and reads the result of each case from them.
 
-use crate::encoding::{self, DecodedValue, ValueEncoding};
+use crate::encoding::{self, DecodedValue};
 use crate::manifest::{Manifest, PageRecord, StepRecord};
 use crate::page::{MAGIC, literal};
 use crate::page_case::expected;
@@ -206,14 +206,11 @@ impl Reading {
             0 if !comparable => None,
             _ => return Err(strange(step.place + 1, compared)),
         };
-        let encoding = ValueEncoding::of(&observe.type_name);
-        let numbers: Vec<i32> = (0..encoding.pieces())
+        let encoded = encoding::encoded(&observe.type_name);
+        let numbers: Vec<i32> = (0..encoded.map_or(0, encoding::pieces))
             .map(|piece| element(step.place + 2 + piece))
             .collect::<Result<_, PageResult>>()?;
-        let decoded = match encoding {
-            ValueEncoding::Numbers(ty) => encoding::decode(ty, &numbers),
-            ValueEncoding::Compared => DecodedValue::Unknown,
-        };
+        let decoded = encoded.map_or(DecodedValue::Unknown, |ty| encoding::decode(ty, &numbers));
         let key = observe.key().to_string();
         match (decoded, equal, must_be) {
             (DecodedValue::Invalid, ..) => {

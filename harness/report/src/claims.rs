@@ -80,6 +80,26 @@ impl AddAssign for Standing {
     }
 }
 
+/// The title of a column, and its number.
+type Column = (&'static str, fn(&Standing) -> u64);
+
+/// The columns of a table of claims of one engine.
+pub(crate) const COLUMNS: [Column; 6] = [
+    ("passed", |standing| standing.passed),
+    ("failed", |standing| standing.failed),
+    ("differs", |standing| standing.differs),
+    ("open", |standing| standing.open),
+    ("unsupported", |standing| standing.unsupported),
+    ("waiting", |standing| standing.waiting),
+];
+
+/// Adds the standings of engines, in the same order.
+pub(crate) fn add(sums: &mut [Standing], standings: &[Standing]) {
+    for (sum, standing) in sums.iter_mut().zip(standings) {
+        *sum += *standing;
+    }
+}
+
 impl<'a> Sum<&'a Standing> for Standing {
     fn sum<I: Iterator<Item = &'a Standing>>(all: I) -> Standing {
         all.fold(Standing::default(), |mut sum, standing| {
@@ -160,10 +180,8 @@ impl Claims {
         let mut document = 0;
         for (basis, Basis { source, section }) in in_order(bases) {
             let of = |engine: &&str| self.engines.get(*engine).and_then(|claims| claims.get(basis));
-            let standings: Vec<Standing> = engines
-                .iter()
-                .map(|engine| of(engine).copied().unwrap_or_default())
-                .collect();
+            let standings = engines.iter().map(|engine| of(engine).copied());
+            let standings: Vec<Standing> = standings.map(Option::unwrap_or_default).collect();
             if rows.get(document).is_none_or(|row| row.source != source) {
                 document = rows.len();
                 rows.push(Row {
@@ -173,8 +191,7 @@ impl Claims {
                     standings: vec![Standing::default(); engines.len()],
                 });
             }
-            let sums = rows[document].standings.iter_mut();
-            sums.zip(&standings).for_each(|(sum, standing)| *sum += *standing);
+            add(&mut rows[document].standings, &standings);
             rows.push(Row {
                 source,
                 section,

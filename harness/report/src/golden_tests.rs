@@ -17,13 +17,13 @@ use crate::terminal::{self, Detail, Surroundings};
 use crate::{Overview, annotations, sarif, schema_tests};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
 use stickler_conversions::recording::Recording;
-use stickler_run::{BaselineNote, CaseEvent, EngineTotals, Event, Fact, Observed, Totals, Verdict};
+use stickler_run::{CaseEvent, EngineTotals, Event, Totals};
 use stickler_types::{DialectName, MatrixWord};
 
 /// The content of a `run.toml`.
@@ -33,9 +33,10 @@ struct RunFile {
     /// What the header of the run has otherwise than that of [`sample::run_of`].
     #[serde(default)]
     header: Value,
-    /// The cases.
+    /// What the cases have otherwise than those of [`sample::case`], besides their `id` and `verdict`. Line 0 stands for none; cases with
+    /// observations are open; with `times` there are so many, whose ids end in their numbers.
     #[serde(default)]
-    case: Vec<CaseTable>,
+    case: Vec<Map<String, Value>>,
     /// What the causes have otherwise than those of [`sample::cause`], besides their `number` of cases and `verdict`.
     #[serde(default)]
     cause: Vec<Value>,
@@ -47,57 +48,28 @@ struct RunFile {
     page: bool,
 }
 
-/// The differences of a case from [`sample::case`].
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CaseTable {
-    id: String,
-    verdict: Verdict,
-    engine: Option<String>,
-    dialect: Option<String>,
-    title: Option<String>,
-    basis: Option<String>,
-    area: Option<String>,
-    file: Option<String>,
-    /// The line of the case file; 0 stands for none.
-    line: Option<u32>,
-    expected: Option<Vec<Fact>>,
-    got: Option<Vec<Fact>>,
-    program: Option<String>,
-    baseline: Option<BaselineNote>,
-    /// What is observed where nothing is asserted.
-    observations: Option<Vec<Observed>>,
-    /// The number of cases of this kind, whose ids end in their numbers.
-    times: Option<usize>,
-}
-
-impl CaseTable {
-    fn cases(self) -> Vec<CaseEvent> {
-        let base = sample::case(&self.id, self.verdict);
-        let case = CaseEvent {
-            engine: self.engine.unwrap_or(base.engine),
-            dialect: self.dialect.unwrap_or(base.dialect),
-            title: self.title.unwrap_or(base.title),
-            basis: self.basis.unwrap_or(base.basis),
-            area: self.area.unwrap_or(base.area),
-            file: self.file.unwrap_or(base.file),
-            line: self.line.or(base.line).filter(|line| *line > 0),
-            expected: self.expected.unwrap_or(base.expected),
-            got: self.got.unwrap_or(base.got),
-            program: self.program,
-            baseline: self.baseline,
-            open: self.observations.is_some(),
-            observations: self.observations.unwrap_or_default(),
-            ..base
-        };
-        let numbered = |number| CaseEvent {
-            id: format!("{}{number}", case.id),
-            ..case.clone()
-        };
-        match self.times {
-            Some(times) => (1..=times).map(numbered).collect(),
-            None => vec![case],
-        }
+/// Returns the cases of a table.
+fn cases(mut table: Map<String, Value>) -> Vec<CaseEvent> {
+    let [id, verdict, times] = ["id", "verdict", "times"].map(|key| table.remove(key));
+    let id = id.as_ref().and_then(Value::as_str).expect("an id");
+    let base = sample::case(
+        id,
+        serde_json::from_value(verdict.expect("a verdict")).expect("a verdict"),
+    );
+    let case: CaseEvent = changed(&base, Value::Object(table));
+    let case = CaseEvent {
+        open: !case.observations.is_empty(),
+        line: case.line.filter(|line| *line > 0),
+        expectation: base.expectation,
+        ..case
+    };
+    let numbered = |number| CaseEvent {
+        id: format!("{}{number}", case.id),
+        ..case.clone()
+    };
+    match times.and_then(|times| times.as_u64()) {
+        Some(times) => (1..=times).map(numbered).collect(),
+        None => vec![case],
     }
 }
 
@@ -123,8 +95,12 @@ fn merged(base: Value, table: Value) -> Value {
 
 /// Returns a part of an event with some keys of a table in place of its own.
 fn changed<T: serde::Serialize + DeserializeOwned>(part: &T, table: Value) -> T {
-    let base = serde_json::to_value(part).expect("JSON");
-    serde_json::from_value(merged(base, table)).expect("keys that there are")
+    let json = |part: &T| serde_json::to_value(part).expect("JSON");
+    let changed = serde_json::from_value(merged(json(part), table.clone())).expect("keys that there are");
+    for key in table.as_object().into_iter().flat_map(Map::keys) {
+        assert!(json(&changed).get(key).is_some(), "there is no key `{key}`");
+    }
+    changed
 }
 
 /// Returns the totals of the cases of an engine.
@@ -144,7 +120,7 @@ fn totals(name: String, events: &[Event]) -> EngineTotals {
 pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let text = fs::read_to_string(path).expect("a run");
     let run: RunFile = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let mut events = sample::run_of(run.case.into_iter().flat_map(CaseTable::cases).collect());
+    let mut events = sample::run_of(run.case.into_iter().flat_map(cases).collect());
     let header = sample::header(&mut events);
     *header = changed(header, run.header);
     let names: Vec<String> = header.engines.iter().map(|engine| engine.name.clone()).collect();

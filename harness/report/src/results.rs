@@ -14,9 +14,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 #[cfg(test)]
 use stickler_run::{BaselineHeader, Cause, DefinedHeader, SourceHeader};
-use stickler_run::{
-    BaselineNote, CaseEvent, EngineHeader, Event, Fact, Footer, Grade, Header, Observed, Totals, Verdict,
-};
+use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Grade, Header, Totals, Verdict};
 
 /// The name of the document in a folder of reports.
 pub(crate) const NAME: &str = "results.json";
@@ -223,72 +221,25 @@ struct EngineResult<'d> {
 #[derive(serde::Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 struct CaseResult<'d> {
-    /// The id of the case; together with dialect and engine it is unique.
-    id: &'d str,
-    /// The dialect of the case.
-    dialect: &'d str,
-    /// The name of the engine.
-    engine: &'d str,
-    /// The verdict, which is not `pass`.
-    verdict: Verdict,
-    /// Whether the case asserts nothing, or only that the program is accepted.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    open: bool,
-    /// The grade of a rejection or a fault.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    grade: Option<Grade>,
-    /// The title of the case.
-    title: &'d str,
-    /// The claim of the case: source and section.
-    basis: &'d str,
-    /// The area of the case.
-    area: &'d str,
-    /// The path of the case file.
-    file: &'d str,
-    /// The line of the case in the case file, from 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    line: Option<u32>,
-    /// The expected facts.
-    expected: &'d [Fact],
-    /// The actual facts, side by side with the expected ones.
-    got: &'d [Fact],
-    /// The time that the engine took, in microseconds.
-    duration_us: u64,
+    /// The case, with at most 32000 characters of its program.
+    #[serde(flatten)]
+    case: Cow<'d, CaseEvent>,
     /// The command that runs the case alone.
     rerun: String,
-    /// The observations of the case.
-    #[serde(skip_serializing_if = "<[Observed]>::is_empty")]
-    observations: &'d [Observed],
-    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    program: Option<Cow<'d, str>>,
-    /// The note of the engine's baseline on the case.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    baseline: Option<&'d BaselineNote>,
 }
 
 impl<'d> CaseResult<'d> {
     /// Returns the element for a case.
     fn of(case: &'d CaseEvent, engine: Option<&EngineHeader>) -> CaseResult<'d> {
         CaseResult {
-            id: &case.id,
-            dialect: &case.dialect,
-            engine: &case.engine,
-            verdict: case.verdict,
-            open: case.open,
-            grade: case.grade,
-            title: &case.title,
-            basis: &case.basis,
-            area: &case.area,
-            file: &case.file,
-            line: case.line,
-            expected: &case.expected,
-            got: &case.got,
-            duration_us: case.duration_us,
             rerun: overview::rerun(engine, case),
-            observations: &case.observations,
-            program: case.program.as_deref().map(kept),
-            baseline: case.baseline.as_ref(),
+            case: match case.program.as_deref().map(kept) {
+                Some(Cow::Owned(program)) => Cow::Owned(CaseEvent {
+                    program: Some(program),
+                    ..case.clone()
+                }),
+                _ => Cow::Borrowed(case),
+            },
         }
     }
 }

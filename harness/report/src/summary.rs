@@ -7,7 +7,7 @@ use crate::basis::Basis;
 use crate::discrepancies::{NAME, titled};
 use crate::markdown::{cells, code, fence, inline, linked};
 use crate::overview::Overview;
-use crate::terminal::lacks::said;
+use crate::terminal::causes::said;
 use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };

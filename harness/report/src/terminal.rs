@@ -5,11 +5,10 @@
 //! of the page. Where all is well the summary fits a screen of 24 lines. It is written with ANSI styles; the caller's stream strips them where
 //! they do not belong.
 
-mod causes;
+pub(crate) mod causes;
 mod claims;
 mod ending;
 pub(crate) mod failure;
-pub(crate) mod lacks;
 pub mod rerun;
 mod totals;
 
@@ -64,7 +63,7 @@ pub struct Surroundings<'a> {
 pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     write_failures(out, overview, around)?;
     if around.detail != Detail::Result {
-        lacks::write(out, overview, around.width)?;
+        causes::write_lacks(out, overview, around.width)?;
         causes::write(out, overview, around.width)?;
         claims::write(out, overview, around)?;
         totals::write(out, overview, around)?;

@@ -1,29 +1,22 @@
 //! The events of a run: a header, one event for each case and engine, the causes of what failed, a footer. Every report is a
 //! projection of them and adds no facts; a stream without its footer is a truncated run. Basis: reports/README.md.
 
-mod baseline;
 mod cause;
-mod source;
-mod totals;
+mod header;
 mod verdict;
 
-pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
 pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
-pub use source::SourceHeader;
-pub use totals::Totals;
-pub use verdict::Verdict;
+pub use header::{BaselineHeader, DefinedHeader, EngineHeader, Header, OutdatedEntry, PROGRAM, SourceHeader};
+pub(crate) use header::{RERUN_DIALECT, RERUN_ID, rerun};
+pub use verdict::{Totals, Verdict};
 
 use crate::Fact;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use stickler_engines::Grade;
 use stickler_types::Question;
 
 /// The version of the event format.
 pub const FORMAT: u32 = 3;
-
-/// The file name that stands for the program in [`EngineHeader::commands`].
-pub const PROGRAM: &str = "program.st";
 
 /// An event of a run. Its form in a log is up to the log.
 #[derive(Clone, PartialEq, Debug)]
@@ -38,110 +31,10 @@ pub enum Event {
     Footer(Footer),
 }
 
-/// The facts of a run that are known before its first case.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Header {
-    /// The version of the event format, [`FORMAT`].
-    pub format: u32,
-    /// The version of Stickler.
-    pub stickler: String,
-    /// The version of the suite.
-    pub suite: String,
-    /// The time at which the run began, as the caller writes it.
-    pub started: String,
-    /// The command that was run, as the caller writes it.
-    pub command: String,
-    /// The engines that take part, in the order in which they were given.
-    pub engines: Vec<EngineHeader>,
-    /// The number of case events that follow in a complete run.
-    pub cases: u64,
-    /// The filters by which cases were selected, as they were typed, and those that left cases out, behind `not`; empty where all cases
-    /// were selected.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub filters: Vec<String>,
-    /// The dialects whose cases were selected; empty where all were.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub dialects: Vec<String>,
-    /// The part of a divided run, such as `2/4`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shard: Option<String>,
-    /// The case files that could not be read: file, line, key and what is wrong.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub broken_files: Vec<String>,
-    /// The baselines that take part, in the order of their engines.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub baselines: Vec<BaselineHeader>,
-    /// The dialects of the run that stickler.toml defines.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub defined: Vec<DefinedHeader>,
-    /// The sources that the cases of the suite may cite, Stickler's own rules among them.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub sources: Vec<SourceHeader>,
-}
-
-/// A custom dialect: another dialect with some of its rules overridden.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct DefinedHeader {
-    /// The name of the dialect.
-    pub name: String,
-    /// The dialect of a documented system that it extends.
-    pub extends: String,
-    /// The description of the dialect, for people.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub about: Option<String>,
-    /// The overrides, in the words of the file: `implicit INT.BOOL = yes`.
-    pub overrides: Vec<String>,
-    /// The number of selected cases of the base dialect that this dialect does not inherit, because the overrides change
-    /// their result and no document states the new one.
-    pub left_out: u64,
-}
-
-/// An engine that takes part in a run.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct EngineHeader {
-    /// The name of the engine.
-    pub name: String,
-    /// The version of the engine.
-    pub version: String,
-    /// The dialects that the engine supports.
-    pub dialects: Vec<String>,
-    /// The worst grade of a rejection or a fault that still passes.
-    #[serde(default)]
-    pub strict: Grade,
-    /// The template of the command that runs a case on this engine again; [`EngineHeader::rerun`] fills in the case.
-    #[serde(default)]
-    pub rerun: String,
-    /// By dialect, the commands that give [`PROGRAM`] to this engine without Stickler; dialects for which the engine states
-    /// none are missing.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub commands: BTreeMap<String, String>,
-}
-
-impl EngineHeader {
-    /// Returns the exact command that runs a case again on this engine.
-    #[must_use]
-    pub fn rerun(&self, id: &str, dialect: &str) -> String {
-        rerun(&self.rerun, id, dialect)
-    }
-}
-
-/// The placeholder for the id of a case in the template of a rerun command, within single quotes of a shell.
-pub(crate) const RERUN_ID: &str = "{id}";
-
-/// The placeholder for the dialect of a case in the template of a rerun command.
-pub(crate) const RERUN_DIALECT: &str = "{dialect}";
-
-/// Fills in the template of a rerun command for one case.
-pub(crate) fn rerun(template: &str, id: &str, dialect: &str) -> String {
-    let command = template.replace(RERUN_DIALECT, dialect);
-    command.replace(RERUN_ID, &id.replace('\'', r"'\''"))
-}
-
 /// The result of a case on an engine.
-#[derive(Clone, PartialEq, Debug, Default)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(default)]
 pub struct CaseEvent {
     /// The id of the case; together with the dialect and the engine it is unique in a run.
     pub id: String,
@@ -153,20 +46,24 @@ pub struct CaseEvent {
     pub verdict: Verdict,
     /// Whether the document leaves the result open: the case asserts nothing, or only that the program is accepted, and
     /// records what the engine does.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub open: bool,
     /// The grade of a rejection or a fault; `None` where neither was expected or neither came.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<Grade>,
-    /// The claim that the case checks: document and section.
-    pub basis: String,
-    /// The path of the case file.
-    pub file: String,
-    /// The line of the case in the case file; `None` where it passed, since nobody looks for it then.
-    pub line: Option<u32>,
-    /// The area of the case: its folder, the first part of its id.
-    pub area: String,
     /// The title of the case.
     pub title: String,
+    /// The claim that the case checks: document and section.
+    pub basis: String,
+    /// The area of the case: its folder, the first part of its id.
+    pub area: String,
+    /// The path of the case file.
+    pub file: String,
+    /// The line of the case in the case file, from 1; `None` where it passed, since nobody looks for it then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
     /// A fingerprint of the expectation, by which two runs see whether they expected the same.
+    #[serde(skip)]
     pub expectation: u32,
     /// The expected facts, in a fixed order; empty where the case passed and `got` adds nothing to them.
     pub expected: Vec<Fact>,
@@ -176,13 +73,17 @@ pub struct CaseEvent {
     /// The time that the engine took, in microseconds.
     pub duration_us: u64,
     /// The observations, which are recorded and not judged.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub observations: Vec<Observed>,
     /// The whole program, where the engine did not meet the expectation, with a timing diagram of several scans as a comment behind it;
     /// `None` otherwise, since the case file has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub program: Option<String>,
     /// The question that the program asks; `None` where it asks none, or where `program` is.
+    #[serde(skip)]
     pub question: Option<Question>,
     /// The note of the engine's baseline on the case; `None` where no entry matters to it.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub baseline: Option<BaselineNote>,
 }
 
@@ -210,6 +111,44 @@ impl CaseEvent {
             (Verdict::Xfail, None) => Verdict::Fail,
             (Verdict::Xpass, _) => Verdict::Pass,
             (verdict, _) => verdict,
+        }
+    }
+}
+
+/// The note of a baseline on a case.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BaselineNote {
+    /// The file and line of the entry.
+    pub at: String,
+    /// The verdict that the entry expects. For a case whose verdict is [`Verdict::Xfail`], the actual verdict.
+    pub verdict: Verdict,
+    /// The alternative verdicts that the entry expects, for a compiler whose answer varies from run to run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<Verdict>,
+    /// The reason that the entry states.
+    pub reason: String,
+    /// The address of further information, where the entry has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub link: Option<String>,
+}
+
+impl BaselineNote {
+    /// Returns all verdicts that the entry expects.
+    #[must_use]
+    pub fn verdicts(&self) -> Vec<Verdict> {
+        [&[self.verdict], &self.others[..]].concat()
+    }
+
+    /// Returns the note for a case with this actual verdict, which is one of the expected ones.
+    #[must_use]
+    pub(crate) fn of_xfail(&self, came: Verdict) -> BaselineNote {
+        let mut others = self.verdicts();
+        others.retain(|verdict| *verdict != came);
+        BaselineNote {
+            verdict: came,
+            others,
+            ..self.clone()
         }
     }
 }
@@ -248,30 +187,4 @@ pub struct EngineTotals {
     pub name: String,
     /// The number of times that each verdict came on the engine.
     pub totals: Totals,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_rerun_command_is_filled_in_with_what_a_shell_takes() {
-        let template = "stickler run --filter '{id}' --dialect {dialect}";
-        let command = rerun(template, "a(STRING,'x')", "matiec");
-        assert_eq!(
-            command,
-            r"stickler run --filter 'a(STRING,'\''x'\'')' --dialect matiec"
-        );
-    }
-
-    #[test]
-    fn a_header_of_a_later_version_with_more_keys_is_read() {
-        let line = r#"{"format":2,"stickler":"9","suite":"1","started":"","command":"",
-            "engines":[],"cases":4,"weather":"fine"}"#;
-        let header: Header = serde_json::from_str(line).unwrap();
-        assert_eq!(
-            (header.stickler.as_str(), header.cases, header.shard),
-            ("9", 4, None)
-        );
-    }
 }

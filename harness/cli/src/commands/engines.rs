@@ -4,10 +4,10 @@ use crate::arguments::EnginesArguments;
 use crate::exit::Exit;
 use crate::output::{self, BOLD};
 use crate::{engines, interrupt};
-use serde::Serialize;
+use serde_json::{Value as Json, json};
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
-use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency};
+use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency, Identity};
 use stickler_types::wrap;
 use stickler_workers::WorkerPool;
 
@@ -26,15 +26,15 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
     let mut listed = seek_all(&names, &configuration)?;
     // Whoever names nothing wants to see what is here.
     if arguments.engine.is_empty() {
-        listed.sort_by_key(|engine| !engine.here);
+        listed.sort_by_key(|engine| engine.identity().is_none());
     }
     for (number, engine) in listed.iter().enumerate() {
         match arguments.json {
-            true => output::json_line(out, engine)?,
+            true => output::json_line(out, &engine.json())?,
             false => write_entry(engine, number > 0, out)?,
         }
     }
-    let missing = listed.iter().any(|engine| engine.problem.is_some());
+    let missing = listed.iter().any(|engine| engine.identity().is_none());
     Ok(Exit::EngineNotRun.when(missing && !arguments.engine.is_empty()))
 }
 
@@ -54,50 +54,17 @@ fn seek_all<'n>(
     )
 }
 
-/// The entry of one engine in the list; the fields are those of the JSON object.
-#[derive(Serialize)]
+/// An entry of the list.
 struct ListedEngine<'n> {
     name: &'n str,
-    /// Whether the engine can be used.
-    here: bool,
-    /// Stickler's own adapter by which the engine runs, if it has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    adapter: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    version: Option<String>,
-    dialects: Vec<&'static str>,
-    abilities: Vec<String>,
-    /// The grade at which the engine's rejections are judged.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    grade: Option<&'static str>,
+    /// The engine, or the reason for which it cannot be used.
+    sought: CompilerSearch,
+    /// The compiler by whose adapter the engine runs, if it has one of Stickler's.
+    compiler: Option<Compiler>,
     /// The place at which `stickler.toml` names the engine.
-    #[serde(skip_serializing_if = "Option::is_none")]
     named_in: Option<&'n str>,
-    places: Vec<FoundPlace>,
-    /// The reason for which the engine cannot be used.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    problem: Option<String>,
     /// The address of the engine's project.
-    #[serde(skip_serializing_if = "Option::is_none")]
     project: Option<&'n str>,
-}
-
-/// The place of a program or folder of an engine.
-#[derive(Serialize)]
-struct FoundPlace {
-    key: &'static str,
-    path: String,
-    found_by: String,
-}
-
-impl From<FoundDependency> for FoundPlace {
-    fn from(located: FoundDependency) -> FoundPlace {
-        FoundPlace {
-            key: located.key,
-            path: located.path.display().to_string(),
-            found_by: located.by.to_string(),
-        }
-    }
 }
 
 impl<'n> ListedEngine<'n> {
@@ -112,27 +79,46 @@ impl<'n> ListedEngine<'n> {
                 (compiler, compiler.map(Compiler::project))
             }
         };
-        let identity = sought.engine.as_ref().ok().map(|engine| engine.identity());
-        let dialects = identity
-            .map(|identity| &identity.dialects[..])
-            .unwrap_or_default();
-        let abilities = identity
-            .map(|identity| &identity.abilities[..])
-            .unwrap_or_default();
         ListedEngine {
             name,
-            here: identity.is_some(),
-            adapter: compiler.map(Compiler::as_str),
-            version: identity.map(|identity| identity.version.clone()),
-            dialects: dialects.iter().map(|dialect| dialect.as_str()).collect(),
-            abilities: abilities.iter().map(ToString::to_string).collect(),
-            grade: identity.map(|identity| identity.grade.as_str()),
+            sought,
+            compiler,
             named_in: entry.map(|entry| entry.written.as_str()),
-            problem: sought.engine.as_ref().err().map(problem),
-            places: sought.located.into_iter().map(FoundPlace::from).collect(),
             project,
         }
     }
+
+    /// Returns the identity of an engine that can be used.
+    fn identity(&self) -> Option<&Identity> {
+        self.sought.engine.as_ref().ok().map(|engine| engine.identity())
+    }
+
+    /// Returns the reason for which the engine cannot be used.
+    fn problem(&self) -> Option<String> {
+        self.sought.engine.as_ref().err().map(problem)
+    }
+
+    fn json(&self) -> Json {
+        let identity = self.identity();
+        let place = |found: &FoundDependency| json!({ "key": found.key, "path": found.path.display().to_string(), "found_by": found.by.to_string() });
+        output::without_nulls(json!({
+            "name": self.name,
+            "here": identity.is_some(),
+            "adapter": self.compiler.map(Compiler::as_str),
+            "version": identity.map(|identity| &identity.version),
+            "dialects": identity.map_or_else(Vec::new, |identity| words(&identity.dialects)),
+            "abilities": identity.map_or_else(Vec::new, |identity| words(&identity.abilities)),
+            "grade": identity.map(|identity| identity.grade.as_str()),
+            "named_in": self.named_in,
+            "places": self.sought.located.iter().map(place).collect::<Vec<_>>(),
+            "problem": self.problem(),
+            "project": self.project,
+        }))
+    }
+}
+
+fn words(names: &[impl ToString]) -> Vec<String> {
+    names.iter().map(ToString::to_string).collect()
 }
 
 /// Returns the message of an error without the engine's name, which stands above it.
@@ -150,9 +136,9 @@ fn write_entry(engine: &ListedEngine<'_>, gap: bool, out: &mut dyn Write) -> io:
     if gap {
         writeln!(out)?;
     }
-    let state = match &engine.version {
+    let state = match engine.identity().map(|identity| identity.version.as_str()) {
         None => "not here",
-        Some(version) if version.is_empty() => "version not known",
+        Some("") => "version not known",
         Some(version) => version,
     };
     writeln!(out, "{BOLD}{}{BOLD:#}  {state}", engine.name)?;
@@ -160,16 +146,16 @@ fn write_entry(engine: &ListedEngine<'_>, gap: bool, out: &mut dyn Write) -> io:
     if let Some(named_in) = engine.named_in {
         row("named in", named_in)?;
     }
-    for place in &engine.places {
-        row(place.key, &format!("{} ({})", place.path, place.found_by))?;
+    for found in &engine.sought.located {
+        row(found.key, &format!("{} ({})", found.path.display(), found.by))?;
     }
-    if engine.here {
-        row("dialects", &engine.dialects.join(", "))?;
-        row("can", &engine.abilities.join(", "))?;
-        row("judged by", engine.grade.unwrap_or_default())?;
+    if let Some(identity) = engine.identity() {
+        row("dialects", &words(&identity.dialects).join(", "))?;
+        row("can", &words(&identity.abilities).join(", "))?;
+        row("judged by", identity.grade.as_str())?;
     }
-    if let Some(problem) = &engine.problem {
-        let text = wrap(problem);
+    if let Some(problem) = engine.problem() {
+        let text = wrap(&problem);
         for (number, line) in text.lines().enumerate() {
             row(if number == 0 { "problem" } else { "" }, line)?;
         }

@@ -2,8 +2,7 @@
 
 use crate::arguments::EvalArguments;
 use crate::exit::Exit;
-use crate::running::running;
-use crate::source_file::Program;
+use crate::source_file::{Program, running};
 use crate::{output, snippet};
 use anyhow::{bail, ensure};
 use std::io::{self, Write};

@@ -15,7 +15,6 @@ use crate::{interrupt, shell};
 use bar::FuzzBar;
 use keeper::Keeper;
 use known::KnownCauses;
-use page::FuzzPage;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -139,9 +138,8 @@ fn run(
     (store, known): (Store, &KnownCauses),
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
-    let mut page = FuzzPage::new(out);
-    page.begin(&request, plan.shard)?;
-    page.surveyed(&surveyed.survey)?;
+    page::begin(out, &request, plan.shard)?;
+    page::surveyed(out, &surveyed.survey)?;
     let cancel = interrupt::cancellation()?;
     let mut keeper = Keeper::begin(store, request, surveyed.survey.failing.clone(), plan.shard)?;
     let bar = FuzzBar::new(plan);
@@ -153,7 +151,7 @@ fn run(
     bar.finish();
     let summary = summary?;
     let unsaved = keeper.end(&summary);
-    page.end(&summary, known, &unsaved)?;
+    page::end(out, &summary, known, &unsaved)?;
     Ok(exit(&summary).worst(unsaved.exit()))
 }
 

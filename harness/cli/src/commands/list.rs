@@ -1,9 +1,7 @@
 //! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, the features of
 //! the language, or how many cases there are.
 
-mod count;
-mod features;
-mod places;
+mod numbers;
 pub(super) mod sources;
 
 use crate::arguments::ListArguments;
@@ -12,6 +10,7 @@ use crate::exit::Exit;
 use crate::output::{BOLD, DIM, json_line};
 use crate::run_plan;
 use serde::Serialize;
+use serde_json::{Value as Json, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_report::basis::Basis;
@@ -37,45 +36,32 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     if arguments.sources {
         sources::write(out, &suite.sources, &[], &cases, arguments.json)?;
     } else if arguments.places {
-        places::write(out, &cases, arguments.json)?;
+        numbers::write_places(out, &cases, arguments.json)?;
     } else if arguments.count {
-        count::write(out, &cases, arguments.json)?;
+        numbers::write_count(out, &cases, arguments.json)?;
     } else if arguments.features {
-        features::write(out, &suite.features, &cases, arguments.json)?;
+        numbers::write_features(out, &suite.features, &cases, arguments.json)?;
     } else if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;
     } else {
         cases.into_iter().try_for_each(|case| match arguments.json {
-            true => json_line(out, &CaseLine::new(case)),
+            true => json_line(out, &case_line(case)),
             false => writeln!(out, "{}@{}", case.id, case.dialect),
         })?;
     }
     Ok(case_folder::exit_of(&suite))
 }
 
-#[derive(Serialize)]
-struct CaseLine<'a> {
-    id: &'a str,
-    dialect: &'a str,
-    title: &'a str,
-    basis: &'a str,
-    file: &'a str,
-    line: u32,
-    tags: Vec<&'a str>,
-}
-
-impl<'a> CaseLine<'a> {
-    fn new(case: &'a Case) -> CaseLine<'a> {
-        CaseLine {
-            id: &case.id,
-            dialect: case.dialect.as_str(),
-            title: &case.title,
-            basis: &case.basis,
-            file: &case.file,
-            line: case.line,
-            tags: case.tags.iter().map(AsRef::as_ref).collect(),
-        }
-    }
+fn case_line(case: &Case) -> Json {
+    json!({
+        "id": case.id,
+        "dialect": case.dialect.as_str(),
+        "title": case.title,
+        "basis": case.basis,
+        "file": case.file,
+        "line": case.line,
+        "tags": case.tags,
+    })
 }
 
 #[derive(Serialize)]

@@ -15,28 +15,15 @@ use stickler_export::{Questions, answer_word};
 use stickler_suite::Case;
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, TypePair};
 
-/// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
-const TYPES: [ElementaryType; 20] = [
-    ElementaryType::Bool,
-    ElementaryType::Sint,
-    ElementaryType::Int,
-    ElementaryType::Dint,
-    ElementaryType::Lint,
-    ElementaryType::Usint,
-    ElementaryType::Uint,
-    ElementaryType::Udint,
-    ElementaryType::Ulint,
-    ElementaryType::Real,
-    ElementaryType::Lreal,
-    ElementaryType::Byte,
-    ElementaryType::Word,
-    ElementaryType::Dword,
-    ElementaryType::Lword,
-    ElementaryType::Time,
-    ElementaryType::Date,
-    ElementaryType::Tod,
-    ElementaryType::Dt,
-    ElementaryType::String,
+/// The types that are shown only where a document speaks of them. Basis: implicit-conversion-table, its rows and columns.
+const FURTHER: [ElementaryType; 7] = [
+    ElementaryType::Ltime,
+    ElementaryType::Ldate,
+    ElementaryType::Ltod,
+    ElementaryType::Ldt,
+    ElementaryType::Wstring,
+    ElementaryType::Char,
+    ElementaryType::Wchar,
 ];
 
 /// Shows one table for each dialect, with all engines that speak it; as JSON the questions with all answers.
@@ -150,7 +137,7 @@ fn gather(
     let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
     let types: Vec<ElementaryType> = ElementaryType::ALL
         .into_iter()
-        .filter(|ty| TYPES.contains(ty) || named(ty))
+        .filter(|ty| !FURTHER.contains(ty) || named(ty))
         .collect();
     let of_row = |row: ElementaryType| types.iter().map(move |column| (row, *column));
     let pairs: Vec<TypePair> = types.iter().flat_map(|row| of_row(*row)).collect();

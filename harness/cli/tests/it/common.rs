@@ -1,7 +1,7 @@
 //! Functions that several tests of the command line share.
 
 use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Stdio};
 
 /// The program under test.
 pub const STICKLER: &str = env!("CARGO_BIN_EXE_stickler");
@@ -35,11 +35,6 @@ pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
         .args(arguments)
         .stdin(Stdio::null());
     command
-}
-
-/// Runs the program in a folder, and returns its output.
-pub fn output(folder: &Path, arguments: &[&str]) -> Output {
-    stickler(folder, arguments).output().expect("the command runs")
 }
 
 /// Starts a command with both of its output streams piped.

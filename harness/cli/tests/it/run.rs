@@ -1,6 +1,6 @@
-//! Tests what a golden text cannot show: tables of any width, the commands that a shell completes, and readers that go away.
+//! Tests what a golden text cannot show: tables of any width, and readers that go away.
 
-use crate::common::{ROOT, SUITE, output, stickler, text, under_way};
+use crate::common::{ROOT, SUITE, stickler, text, under_way};
 use std::path::Path;
 
 #[test]
@@ -20,27 +20,6 @@ fn the_tables_fit_the_columns_and_a_pipe_gets_no_control_character() {
             !streams.chars().any(|c| c.is_control() && c != '\n'),
             "{streams:?}"
         );
-    }
-}
-
-#[test]
-fn a_shell_completes_every_command() {
-    let help = output(Path::new("."), &["--help"]);
-    let help = text(&help.stdout);
-    let listed = help.split("Commands:\n").nth(1).expect("the commands");
-    let commands = listed.lines().take_while(|line| !line.is_empty());
-    // Further lines of a description are indented more.
-    let commands: Vec<&str> = commands
-        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next())
-        .filter(|name| !name.is_empty())
-        .collect();
-    assert!(commands.len() > 20, "{commands:?}");
-    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let made = output(Path::new("."), &["completions", shell]);
-        assert_eq!(made.status.code(), Some(0));
-        let script = text(&made.stdout);
-        let missing: Vec<_> = commands.iter().filter(|name| !script.contains(**name)).collect();
-        assert!(missing.is_empty(), "{shell}: {missing:?}");
     }
 }
 

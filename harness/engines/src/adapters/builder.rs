@@ -8,51 +8,33 @@ use crate::process::{Ended, Folder};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// The language that a compiler under test writes, for a C or a C++ compiler.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Language {
-    /// C.
-    C,
-    /// C++.
-    Cpp,
-}
-
-/// The differences between the two languages.
-struct TargetLanguage {
+/// The language that a compiler under test writes, for a C or a C++ compiler. Programs are built without optimisation, so that what
+/// C leaves undefined does what the machine does; the commands of recipes have the same options, without which compiled headers are not
+/// used.
+pub(super) struct Language {
     name: &'static str,
     options: &'static [&'static str],
     header: &'static str,
     header_kind: &'static str,
+    /// The name of the file of a driver.
+    pub(super) driver: &'static str,
 }
 
-impl Language {
-    /// Returns the properties of the language. Programs are built without optimisation, so that what C leaves undefined does
-    /// what the machine does; the commands of recipes have the same options, without which compiled headers are not used.
-    const fn words(self) -> TargetLanguage {
-        match self {
-            Language::C => TargetLanguage {
-                name: "C",
-                options: &["-O0", "-w"],
-                header: "stickler.h",
-                header_kind: "c-header",
-            },
-            Language::Cpp => TargetLanguage {
-                name: "C++",
-                options: &["-std=c++17", "-O0", "-w"],
-                header: "stickler.hpp",
-                header_kind: "c++-header",
-            },
-        }
-    }
+pub(super) const C: Language = Language {
+    name: "C",
+    options: &["-O0", "-w"],
+    header: "stickler.h",
+    header_kind: "c-header",
+    driver: "driver.c",
+};
 
-    /// Returns the name of the file of a driver.
-    pub(super) const fn driver(self) -> &'static str {
-        match self {
-            Language::C => "driver.c",
-            Language::Cpp => "driver.cpp",
-        }
-    }
-}
+pub(super) const CPP: Language = Language {
+    name: "C++",
+    options: &["-std=c++17", "-O0", "-w"],
+    header: "stickler.hpp",
+    header_kind: "c++-header",
+    driver: "driver.cpp",
+};
 
 /// The programs that a C or C++ compiler calls.
 const PROGRAMS: [&str; 4] = ["cc1", "cc1plus", "as", "ld"];
@@ -77,7 +59,7 @@ const VARIABLES: [&str; 8] = [
 /// A C or C++ compiler, and the headers that every built program includes; they are compiled once, since that takes most of the
 /// time of building a small program. A compiler that does not use the compiled headers reads them itself.
 pub(super) struct Builder {
-    language: Language,
+    language: &'static Language,
     compiler: PathBuf,
     headers: PathBuf,
     /// The folder with the header that includes the others, and its compiled form.
@@ -91,22 +73,22 @@ impl Builder {
     /// A fragment that says what is missing or does not work.
     pub(super) fn new(
         compiler: PathBuf,
-        language: Language,
+        language: &'static Language,
         headers: PathBuf,
         text: &str,
     ) -> Result<Builder, String> {
-        let words = language.words();
         let builder = Builder {
             language,
             compiler,
             headers,
             prepared: Folder::new()?,
         };
-        builder.prepared.write(words.header, text)?;
-        let compiled = format!("{}.gch", words.header);
-        let arguments = builder.arguments(&["-x", words.header_kind, words.header, "-o", &compiled]);
+        let Language { name, header, .. } = builder.language;
+        builder.prepared.write(header, text)?;
+        let compiled = format!("{header}.gch");
+        let arguments = builder.arguments(&["-x", builder.language.header_kind, header, "-o", &compiled]);
         let ended = call(&builder.compiler, &arguments, &builder.prepared)
-            .map_err(|outcome| format!("the {} compiler: {outcome}", words.name))?;
+            .map_err(|outcome| format!("the {name} compiler: {outcome}"))?;
         if ended.status.success() {
             return Ok(builder);
         }
@@ -120,21 +102,15 @@ impl Builder {
 
     /// Returns a digest of everything that decides what the compiler builds; `None` where that cannot be known.
     pub(super) fn fingerprint(&self) -> Option<String> {
-        let words = self.language.words();
+        let kind = self.language.header_kind.trim_end_matches("-header");
         // The output has every header that is included, without the paths of the headers.
-        let arguments = self.arguments(&[
-            "-E",
-            "-P",
-            "-x",
-            words.header_kind.trim_end_matches("-header"),
-            words.header,
-        ]);
+        let arguments = self.arguments(&["-E", "-P", "-x", kind, self.language.header]);
         let headers = call(&self.compiler, &arguments, &self.prepared).ok()?;
         let version = call(&self.compiler, &["--version"], &self.prepared).ok()?;
         if !headers.status.success() {
             return None;
         }
-        let mut fingerprint = Fingerprint::of(words.name)
+        let mut fingerprint = Fingerprint::of(self.language.name)
             .program(&self.compiler)
             .text(&version.stdout)
             .text(&headers.stdout)
@@ -164,7 +140,7 @@ impl Builder {
             _ => Err(Outcome::Unusable {
                 reason: format!(
                     "the {} that it wrote cannot be built: {}",
-                    self.language.words().name,
+                    self.language.name,
                     without_folder(&first_error(&ended), &self.headers)
                 ),
             }),
@@ -177,15 +153,14 @@ impl Builder {
     /// # Errors
     /// An outcome as [`Workplace::step`] returns.
     pub(super) fn try_build(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Result<Ended, Outcome> {
-        let header = self.prepared.path().join(self.language.words().header);
+        let header = self.prepared.path().join(self.language.header);
         let compiled = ["-include".as_ref(), header.as_os_str()];
         workplace.step(recipe, Purpose::Build, &compiled)
     }
 
     /// Returns the arguments of every call, followed by `further`.
     fn arguments(&self, further: &[&str]) -> Vec<OsString> {
-        let options = self.language.words().options;
-        let mut arguments: Vec<OsString> = options.iter().map(OsString::from).collect();
+        let mut arguments: Vec<OsString> = self.language.options.iter().map(OsString::from).collect();
         for folder in [self.prepared.path(), &self.headers] {
             arguments.push("-I".into());
             arguments.push(folder.into());
@@ -196,36 +171,24 @@ impl Builder {
 }
 
 /// Removes a folder from the paths in a text. Where a compiler lies differs from machine to machine.
-fn without_folder(text: &str, folder: &Path) -> String {
+pub(super) fn without_folder(text: &str, folder: &Path) -> String {
     text.replace(&folder.join("").display().to_string(), "")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Language, without_folder};
+    use super::{C, CPP};
     use crate::adapters::Compiler;
-    use std::path::Path;
-
-    #[test]
-    fn an_error_in_a_header_names_the_header_and_not_its_folder() {
-        let error = "/opt/compiler/include/iec_std_lib.hpp:801:20: error: invalid 'static_cast'";
-        for folder in ["/opt/compiler/include", "/opt/compiler/include/"] {
-            assert_eq!(
-                without_folder(error, Path::new(folder)),
-                "iec_std_lib.hpp:801:20: error: invalid 'static_cast'"
-            );
-        }
-    }
 
     #[test]
     fn drivers_are_built_with_the_options_of_their_compiled_headers() {
         for (compiler, language) in [
-            (Compiler::Matiec, Language::C),
-            (Compiler::Rusty, Language::C),
-            (Compiler::Strucpp, Language::Cpp),
+            (Compiler::Matiec, C),
+            (Compiler::Rusty, C),
+            (Compiler::Strucpp, CPP),
         ] {
             let build = compiler.data().command("build", &[]);
-            let options = language.words().options.join(" ");
+            let options = language.options.join(" ");
             assert!(build.contains(&format!("}} {options} ")), "{build}");
         }
     }

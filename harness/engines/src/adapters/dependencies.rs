@@ -177,60 +177,41 @@ impl<'p> DependencySearch<'p> {
         dependency: &'static Dependency,
         compiler: &Path,
     ) -> Result<Option<PathBuf>, String> {
-        match dependency.kind {
-            DependencyKind::Program => self.program(dependency).map(Some),
-            DependencyKind::File => self.script(dependency).map(Some),
-            DependencyKind::Folder => {
-                let folder = compiler.parent().unwrap_or(Path::new(""));
-                let candidates: Vec<PathBuf> =
-                    dependency.beside.iter().map(|path| folder.join(path)).collect();
-                self.folder(dependency, &candidates).map(Some)
-            }
-            DependencyKind::Part => Ok(None),
-        }
-    }
-
-    fn program(&mut self, dependency: &'static Dependency) -> Result<PathBuf, String> {
-        let path = self.script(dependency)?;
-        match may_be_executed(&path) {
-            true => Ok(path),
-            false => Err(format!(
+        let (path, by) = match (dependency.kind, self.named_path(dependency)) {
+            (DependencyKind::Part, _) => return Ok(None),
+            (_, Some((path, by))) => (existing(&path, &by, dependency)?, by),
+            (DependencyKind::Folder, None) => (self.beside(dependency, compiler)?, FoundBy::Beside),
+            (_, None) => (self.on_path(dependency)?, FoundBy::Path),
+        };
+        self.located.push(FoundDependency {
+            key: &dependency.key,
+            path: path.clone(),
+            by,
+        });
+        match dependency.kind == DependencyKind::Program && !may_be_executed(&path) {
+            false => Ok(Some(path)),
+            true => Err(format!(
                 "`{}` is not executable; allow it by `chmod +x`",
                 path.display()
             )),
         }
     }
 
-    fn script(&mut self, dependency: &'static Dependency) -> Result<PathBuf, String> {
-        if let Some((path, by)) = self.named_path(dependency) {
-            let path = existing(&path, &by, dependency, Path::is_file)?;
-            return Ok(self.keep(dependency, path, by));
-        }
-        let found = on_path(&dependency.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
-            format!(
-                "there is no `{}` on PATH; install it, or {}",
-                dependency.name,
-                self.how_to_name(dependency)
-            )
-        })?;
-        Ok(self.keep(dependency, found, FoundBy::Path))
+    fn on_path(&self, dependency: &Dependency) -> Result<PathBuf, String> {
+        let (name, hint) = (&dependency.name, self.how_to_name(dependency));
+        let found = on_path(name, env::var_os("PATH").as_deref());
+        found.ok_or_else(|| format!("there is no `{name}` on PATH; install it, or {hint}"))
     }
 
-    /// Finds a folder; where no path was named, the first of `candidates` that exists.
-    fn folder(&mut self, dependency: &'static Dependency, candidates: &[PathBuf]) -> Result<PathBuf, String> {
-        if let Some((path, by)) = self.named_path(dependency) {
-            let path = existing(&path, &by, dependency, Path::is_dir)?;
-            return Ok(self.keep(dependency, path, by));
-        }
-        let found = candidates.iter().find(|folder| folder.is_dir()).cloned();
-        let found = found.ok_or_else(|| {
-            format!(
-                "{} was not found; {}",
-                dependency.name,
-                self.how_to_name(dependency)
-            )
-        })?;
-        Ok(self.keep(dependency, found, FoundBy::Beside))
+    /// Returns the first of the folders in which the dependency may be.
+    fn beside(&self, dependency: &Dependency, compiler: &Path) -> Result<PathBuf, String> {
+        let from = compiler.parent().unwrap_or(Path::new(""));
+        let mut candidates = dependency.beside.iter().map(|path| from.join(path));
+        let found = candidates.find(|folder| folder.is_dir());
+        found.ok_or_else(|| {
+            let hint = self.how_to_name(dependency);
+            format!("{} was not found; {hint}", dependency.name)
+        })
     }
 
     /// Returns the path that a person named, and the way in which it was named.
@@ -256,23 +237,13 @@ impl<'p> DependencySearch<'p> {
             false => format!("say where it is by {}, or {table}", dependency.variable),
         }
     }
-
-    fn keep(&mut self, dependency: &'static Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
-        self.located.push(FoundDependency {
-            key: &dependency.key,
-            path: path.clone(),
-            by,
-        });
-        path
-    }
 }
 
-fn existing(
-    path: &Path,
-    by: &FoundBy,
-    dependency: &Dependency,
-    is: fn(&Path) -> bool,
-) -> Result<PathBuf, String> {
+fn existing(path: &Path, by: &FoundBy, dependency: &Dependency) -> Result<PathBuf, String> {
+    let is = match dependency.kind {
+        DependencyKind::Folder => Path::is_dir,
+        _ => Path::is_file,
+    };
     // The programs run in folders of their own, where a relative path would lead elsewhere.
     let what = match path.canonicalize() {
         Ok(path) if is(&path) => return Ok(path),
@@ -315,15 +286,15 @@ mod tests {
     use super::*;
     use crate::process::Folder;
 
-    fn dependency(name: &str) -> &'static Dependency {
+    fn dependency(name: &str, kind: DependencyKind) -> &'static Dependency {
         Box::leak(Box::new(Dependency {
             key: "compiler".to_owned(),
             variable: "STICKLER_NO_SUCH_COMPILER".to_owned(),
             name: name.to_owned(),
             script: name.to_owned(),
-            kind: DependencyKind::Program,
+            kind,
             optional: false,
-            beside: Vec::new(),
+            beside: vec!["no-such-folder".to_owned(), "there".to_owned()],
         }))
     }
 
@@ -334,41 +305,29 @@ mod tests {
 
     #[test]
     fn what_is_missing_or_does_not_fit_is_told_with_where_it_is_written() {
+        use DependencyKind::{File, Folder as Inside, Program};
         let folder = Folder::new().unwrap();
         let file = folder.write("compiler", "").unwrap();
-        let program: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
-            |search| search.program(dependency("no-such-compiler"));
-        let script: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
-            |search| search.script(dependency("no-such-compiler"));
-        let inside: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
-            |search| search.folder(dependency("no-such-compiler"), &[]);
         let table = "by `compiler = \"…\"` under `[engines.mine]` in stickler.toml";
         let variable = format!("by STICKLER_NO_SUCH_COMPILER, or {table}");
+        let without_variables = format!("say where it is {table}");
         let nowhere = "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there";
-        for (paths, find, part) in [
-            (
-                DependencyPaths::default(),
-                program,
-                "there is no `no-such-compiler` on PATH",
-            ),
-            (DependencyPaths::default(), program, &*variable),
-            (
-                DependencyPaths::default().without_variables(),
-                program,
-                &*format!("say where it is {table}"),
-            ),
-            (
-                DependencyPaths::default(),
-                inside,
-                "no-such-compiler was not found",
-            ),
-            (named(Path::new("/no/such/file")), program, nowhere),
-            (named(folder.path()), script, ", which is a folder; name the file"),
-            (named(&file), inside, ", which is a file; name the folder"),
+        let unnamed = DependencyPaths::default;
+        for (paths, kind, part) in [
+            (unnamed(), Program, "there is no `no-such-compiler` on PATH"),
+            (unnamed(), Program, &*variable),
+            (unnamed().without_variables(), Program, &*without_variables),
+            (unnamed(), Inside, "no-such-compiler was not found"),
+            (named(Path::new("/no/such/file")), Program, nowhere),
+            (named(folder.path()), File, ", which is a folder; name the file"),
+            (named(&file), Inside, ", which is a file; name the folder"),
             #[cfg(unix)]
-            (named(&file), program, "is not executable; allow it by `chmod +x`"),
+            (named(&file), Program, "is not executable; allow it by `chmod +x`"),
         ] {
-            let error = find(&mut DependencySearch::new("mine", &paths)).unwrap_err();
+            let sought = dependency("no-such-compiler", kind);
+            let error = DependencySearch::new("mine", &paths)
+                .find(sought, &file)
+                .unwrap_err();
             assert!(error.contains(part), "{error}");
         }
     }
@@ -378,9 +337,10 @@ mod tests {
         let folder = Folder::new().unwrap();
         let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
         let paths = named(&there);
-        // `sh` is on PATH wherever there is a shell.
         let mut search = DependencySearch::new("mine", &paths);
-        assert_eq!(search.script(dependency("sh")), Ok(there.clone()));
+        // `sh` is on PATH wherever there is a shell.
+        let found = search.find(dependency("sh", DependencyKind::File), Path::new(""));
+        assert_eq!(found, Ok(Some(there.clone())));
         let located = FoundDependency {
             key: "compiler",
             path: there,
@@ -408,10 +368,11 @@ mod tests {
     #[test]
     fn a_folder_is_the_first_candidate_that_there_is() {
         let folder = Folder::new().unwrap();
-        let there = folder.path().to_owned();
-        let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
+        let there = folder.path().join("there");
+        std::fs::create_dir(&there).unwrap();
         let paths = DependencyPaths::default();
-        let found = DependencySearch::new("mine", &paths).folder(dependency("no-such-compiler"), &candidates);
-        assert_eq!(found, Ok(there));
+        let sought = dependency("no-such-compiler", DependencyKind::Folder);
+        let found = DependencySearch::new("mine", &paths).find(sought, &folder.path().join("compiler"));
+        assert_eq!(found, Ok(Some(there)));
     }
 }

@@ -65,6 +65,14 @@ impl DrivenProgram<'_> {
     }
 }
 
+/// Returns the statements that set the clock of a request before its scans, each with the number of its scan.
+pub(super) fn clock(request: &RunRequest<'_>, statement: impl Fn(i64) -> String) -> Vec<(u32, String)> {
+    let clock = request.clock.iter();
+    clock
+        .map(|step| (step.before, statement(step.nanoseconds)))
+        .collect()
+}
+
 /// Writes the statements of the scan that it is: a choice, for a program may have thousands of scans.
 fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option<u32>, &'s String)>) {
     let mut by_scan: BTreeMap<u32, String> = BTreeMap::new();
@@ -85,7 +93,7 @@ fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option
 
 /// A driver of programs.
 pub(super) struct Driver<'r> {
-    pub(super) language: Language,
+    pub(super) language: &'static Language,
     /// The text before the programs: headers, and the translated text where one file has all of it.
     pub(super) head: String,
     /// The programs, in order.
@@ -142,7 +150,7 @@ impl Driver<'_> {
             );
         }
         DriverText {
-            file: self.language.driver(),
+            file: self.language.driver,
             text,
         }
     }
@@ -215,7 +223,7 @@ fn unusable(ended: Outcome) -> Outcome {
 
 /// Splits the output of a driver that ran `count` programs one after the other. Returns the output of each program; `None` for
 /// a program that did not run to its end.
-fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
+pub(super) fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
     let mut parts: Vec<Option<String>> = vec![None; count];
     let mut part = String::new();
     for line in printed.lines().filter(|line| !line.is_empty()) {
@@ -232,16 +240,4 @@ fn parts(printed: &str, count: usize) -> Vec<Option<String>> {
         }
     }
     parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::parts;
-
-    #[test]
-    fn only_what_ran_to_its_end_has_printed_something() {
-        let printed = "\n< 0\nx = 1\ny = 2\n\n> 0\n\n< 1\nx = 3\n< 2\n\n> 2\n\n> 9\n\n> x\n";
-        let whole = Some("x = 1\ny = 2\n".to_owned());
-        assert_eq!(parts(printed, 3), [whole, None, Some(String::new())]);
-    }
 }

@@ -1,4 +1,4 @@
-//! Calls the programs of a compiler, and describes their errors.
+//! Calls the programs of a compiler, reads what they print, and describes their errors.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
 use crate::{EngineError, Identity, NamedValue, Outcome};
@@ -93,6 +93,11 @@ pub(super) fn call<A: AsRef<OsStr>>(
 /// The time limit for running a compiled program. Programs of cases and campaigns take milliseconds, so that a program which
 /// still runs then has an endless loop.
 pub(super) const EXECUTION_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// Returns the text without terminal control sequences: some compilers colour their output also where no terminal reads it.
+pub(crate) fn without_colours(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
 
 #[cfg(test)]
 mod tests {

@@ -12,20 +12,19 @@ mod pack;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, C};
 use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
 use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
-use super::rename::library_words;
+use super::rename::{TakenNames, library_words};
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{LOCATIONS, MatiecSubject, driver};
-use std::collections::HashSet;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use stickler_types::DialectName;
 
 /// Returns the recipe that translates a text to C.
@@ -45,17 +44,8 @@ pub(super) struct Matiec {
     library: PathBuf,
     compiler: PathBuf,
     builder: Builder,
-    /// The names that programs in a pack must not declare; see [`Matiec::taken`].
-    taken: OnceLock<HashSet<String>>,
-}
-
-impl Matiec {
-    /// Returns every word of the library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of
-    /// other kinds.
-    fn taken(&self) -> &HashSet<String> {
-        self.taken
-            .get_or_init(|| library_words(&self.library, "txt", DialectName::MATIEC))
-    }
+    /// The words of the library.
+    taken: TakenNames,
 }
 
 impl Adapter for Matiec {
@@ -64,11 +54,15 @@ impl Adapter for Matiec {
 
     fn new(tools: &mut Tools) -> Result<Matiec, String> {
         let library = path(tools, "MATIEC_LIB");
+        let folder = library.clone();
         Ok(Matiec {
             compiler: path(tools, "IEC2C"),
-            builder: Builder::new(path(tools, "CC"), Language::C, library.join("C"), driver::HEADER)?,
+            builder: Builder::new(path(tools, "CC"), &C, library.join("C"), driver::HEADER)?,
             library,
-            taken: OnceLock::new(),
+            // Structured Text is in the `.txt` files; beside them lie programs of other kinds.
+            taken: LazyLock::new(Box::new(move || {
+                library_words(&folder, "txt", DialectName::MATIEC)
+            })),
         })
     }
 

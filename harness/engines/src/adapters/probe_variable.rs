@@ -132,32 +132,3 @@ impl ProbeVariables {
 fn is_path(name: &str) -> bool {
     name.contains(['.', '['])
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::source::main_program;
-    use super::*;
-    use stickler_types::DialectName;
-
-    #[test]
-    fn probe_variables_move_no_line() {
-        let source = "PROGRAM main\nVAR\n  a : ARRAY[1..2] OF INT;\nEND_VAR\n  a[1] := 7;\nEND_PROGRAM\n";
-        let probe = |number: usize, expression: &str| ProbeVariable {
-            name: ProbeVariable::name(number),
-            type_name: "INT".to_owned(),
-            expression: expression.to_owned(),
-        };
-        let text = with_probes(
-            source,
-            &main_program(&RunRequest::once(DialectName::MATIEC, source, &[])).unwrap(),
-            &[probe(0, "a[1]"), probe(1, "a[2]")],
-        );
-        assert_eq!(
-            text,
-            "PROGRAM main VAR stickler_probe_0 : INT; stickler_probe_1 : INT; END_VAR\n\
-             VAR\n  a : ARRAY[1..2] OF INT;\nEND_VAR\n  a[1] := 7;\n\
-             stickler_probe_0 := a[1]; stickler_probe_1 := a[2]; END_PROGRAM\n"
-        );
-        assert_eq!(text.lines().count(), source.lines().count());
-    }
-}

@@ -38,7 +38,7 @@ pub(super) struct Recipe {
     made: &'static [&'static str],
     steps: Vec<(Purpose, CommandTemplate)>,
     /// The steps as a shell gets them.
-    shown: Vec<String>,
+    pub(super) shown: Vec<String>,
     /// The variables of the steps, in order.
     variables: Vec<String>,
 }
@@ -244,28 +244,5 @@ impl<'t> Workplace<'t> {
         run_tool_with(&program, &arguments, self.folder.path(), &limits, |start| {
             start.envs(environment);
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_legend_says_what_each_probe_variable_stands_for_at_the_end() {
-        let probe = |name: &str, expression: &str| ProbeVariable {
-            name: name.to_owned(),
-            type_name: "INT".to_owned(),
-            expression: expression.to_owned(),
-        };
-        let probes = [
-            probe("a", ""),
-            probe("b", "x.1"),
-            probe("c", "y"),
-            probe("b", "x.2"),
-        ];
-        let of = |probes| Recipe::of(PROGRAM, "").legend(probes).shown;
-        assert_eq!(of(&probes), ["echo 'c is y, b is x.2'"]);
-        assert_eq!(of(&probes[..1]), [""; 0]);
     }
 }

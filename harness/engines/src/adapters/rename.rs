@@ -7,6 +7,7 @@ use super::source::words_of;
 use crate::{Diagnostic, RunRequest};
 use std::collections::HashSet;
 use std::path::Path;
+use std::sync::LazyLock;
 use stickler_syntax::names::separable;
 use stickler_syntax::{Edits, words};
 use stickler_types::{Dialect, DialectName};
@@ -46,6 +47,9 @@ pub(super) fn places_named(text: &str) -> Vec<usize> {
     };
     behind.filter_map(number).collect()
 }
+
+/// The names that programs in a pack must not declare; read when first needed.
+pub(super) type TakenNames = LazyLock<HashSet<String>, Box<dyn FnOnce() -> HashSet<String> + Send>>;
 
 /// Returns every word of the library files with this extension in a folder, in capitals: the keywords, and the names that the
 /// library of a dialect's compiler declares. A file that cannot be read is left out: the compiler will report it.
@@ -120,7 +124,7 @@ fn column_of(number: usize) -> u32 {
 
 /// Returns a text without a suffix where it stands behind one of these names, in whatever case the text writes both; the text of a
 /// keyword may end as the suffix does.
-fn without(text: &str, names: &HashSet<String>, suffix: &str) -> String {
+pub(super) fn without(text: &str, names: &HashSet<String>, suffix: &str) -> String {
     let capitals = text.to_ascii_uppercase();
     let suffix = suffix.to_ascii_uppercase();
     let is_behind_a_name = |at: usize| {
@@ -177,23 +181,5 @@ mod tests {
         });
         assert_eq!((original.column, original.end_column), (Some(16), Some(17)));
         assert_eq!(original.message, "no F and no f");
-        assert_eq!(
-            places_named("In function: MAIN_IN_PACK_7, f_in_pack_12 and g_in_pack"),
-            [7, 12]
-        );
-    }
-
-    #[test]
-    fn a_suffix_stays_behind_what_was_not_renamed() {
-        let names = HashSet::from(["MAIN".to_owned()]);
-        for (text, left) in [
-            ("found 'END_PROGRAM'", "found 'END_PROGRAM'"),
-            ("no my_program in main_program", "no my_program in main"),
-            ("'MAIN_PROGRAM.x'", "'MAIN.x'"),
-            ("__init_main_program", "__init_main"),
-            ("domain_program", "domain_program"),
-        ] {
-            assert_eq!(without(text, &names, "_program"), left);
-        }
     }
 }

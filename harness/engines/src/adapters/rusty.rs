@@ -14,12 +14,12 @@ mod program;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, C};
 use super::compilers::path;
 use super::fingerprint::Fingerprint;
 use super::locate::{failed, unsupported};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
-use super::rename::library_words;
+use super::rename::{TakenNames, library_words};
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use diagnostics::OutputParser;
@@ -27,10 +27,9 @@ use diagnostics::{ErrorPart, LocatedDiagnostic, sorted};
 use driver::RustyDriver;
 use library::StandardLibrary;
 use program::PackedProgram;
-use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use stickler_types::DialectName;
 
 /// Returns the recipe that gives a program to the compiler, for a command that says what it makes of it.
@@ -66,17 +65,11 @@ pub(super) struct Rusty {
     library: StandardLibrary,
     builder: Builder,
     reader: OutputParser,
-    /// The names that programs in a pack must not declare; read when first needed.
-    taken: OnceLock<HashSet<String>>,
+    /// The words of the declarations of the library.
+    taken: TakenNames,
 }
 
 impl Rusty {
-    /// Returns every word of the declarations of the library, in capitals.
-    fn taken(&self) -> &HashSet<String> {
-        self.taken
-            .get_or_init(|| library_words(&self.declarations, "st", DialectName::RUSTY))
-    }
-
     /// Builds the driver of a recipe with the object file and the standard library.
     ///
     /// # Errors
@@ -89,7 +82,7 @@ impl Rusty {
 
 /// Shortens the version that the compiler reports: `0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)` becomes `0.2.0 (1a2b3c4)`.
 /// A build outside the compiler's repository has neither day nor revision.
-fn short(said: &str) -> String {
+pub(super) fn short(said: &str) -> String {
     let number = said
         .split_whitespace()
         .find(|word| word.starts_with(|first: char| first.is_ascii_digit()));
@@ -114,14 +107,14 @@ impl Adapter for Rusty {
 
     fn new(tools: &mut Tools) -> Result<Rusty, String> {
         let declarations = path(tools, "RUSTY_INCLUDE");
-        let headers = declarations.clone();
+        let [headers, folder] = [&declarations; 2].map(PathBuf::clone);
         Ok(Rusty {
             compiler: path(tools, "PLC"),
             declarations,
             library: StandardLibrary::new(path(tools, "RUSTY_LIB")),
-            builder: Builder::new(path(tools, "CC"), Language::C, headers, driver::HEADER)?,
+            builder: Builder::new(path(tools, "CC"), &C, headers, driver::HEADER)?,
             reader: OutputParser::new()?,
-            taken: OnceLock::new(),
+            taken: LazyLock::new(Box::new(move || library_words(&folder, "st", DialectName::RUSTY))),
         })
     }
 
@@ -235,25 +228,5 @@ impl Rusty {
         workplace.begin(recipe)?;
         let ended = workplace.step(recipe, Purpose::Translate, further)?;
         self.reader.diagnostics(&ended)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::short;
-
-    #[test]
-    fn a_version_is_short_whatever_a_build_knows_of_itself() {
-        for (said, shortened) in [
-            (
-                "0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)",
-                "0.2.0 (1a2b3c4)",
-            ),
-            ("0.1.0 (, )", "0.1.0"),
-            ("plc 9.8.7", "9.8.7"),
-            ("version information unavailable", "unknown"),
-        ] {
-            assert_eq!(short(said), shortened);
-        }
     }
 }

@@ -12,19 +12,20 @@ mod translator;
 
 use super::Compiler;
 use super::adapter::Adapter;
-use super::builder::{Builder, Language};
+use super::builder::{Builder, CPP};
 use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
 use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::rename::TakenNames;
 use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{StrucppSubject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use stickler_syntax::features::standard_block;
 use stickler_types::{Dialect, DialectName};
 use translator::{Translated, Translator};
@@ -54,28 +55,23 @@ pub(super) struct Strucpp {
     package: PathBuf,
     /// The folder of the compiler's run-time headers.
     headers: PathBuf,
-    /// The names that programs in a pack must not declare; see [`Strucpp::taken`].
-    taken: OnceLock<HashSet<String>>,
+    /// The names in the run-time headers.
+    taken: TakenNames,
 }
 
-impl Strucpp {
-    /// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
-    /// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
-    /// own.
-    fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| {
-            // A file that cannot be read is reported by the compiler.
-            let files = std::fs::read_dir(&self.headers).into_iter().flatten().flatten();
-            let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
-            texts.fold(HashSet::new(), |mut taken, text| {
-                taken.extend(capitals(&text));
-                taken
-            })
-        })
-    }
+/// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
+/// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
+/// own.
+fn header_names(headers: &Path) -> HashSet<String> {
+    // A file that cannot be read is reported by the compiler.
+    let files = std::fs::read_dir(headers).into_iter().flatten().flatten();
+    let texts = files.filter_map(|file| std::fs::read_to_string(file.path()).ok());
+    texts
+        .flat_map(|text| capitals(&text).collect::<Vec<_>>())
+        .collect()
 }
 
-fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
+pub(super) fn capitals(text: &str) -> impl Iterator<Item = String> + '_ {
     let words = text.split(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
     let capitals = words.filter(|word| !word.bytes().any(|byte| byte.is_ascii_lowercase()));
     // For a type `X` the compiler also declares `IEC_X`.
@@ -108,14 +104,14 @@ impl Adapter for Strucpp {
         let package = package(&path(tools, "STRUCPP"))?;
         let headers = package.join("src/runtime/include");
         tools.push(("STRUCPP_INCLUDE".to_owned(), headers.clone()));
-        let node = path(tools, "NODE");
+        let (node, folder) = (path(tools, "NODE"), headers.clone());
         Ok(Strucpp {
             translator: Translator::new(&node, &package.join("dist/index.js"))?,
-            builder: Builder::new(path(tools, "CXX"), Language::Cpp, headers.clone(), driver::HEADER)?,
+            builder: Builder::new(path(tools, "CXX"), &CPP, headers.clone(), driver::HEADER)?,
             node,
             package,
             headers,
-            taken: OnceLock::new(),
+            taken: LazyLock::new(Box::new(move || header_names(&folder))),
         })
     }
 
@@ -198,17 +194,6 @@ impl Strucpp {
 mod tests {
     use super::*;
     use crate::process::Folder;
-
-    #[test]
-    fn names_in_capitals_are_taken() {
-        let found: Vec<String> = capitals("using IEC_TIME = IECVar<TIME_t>; // an ADD_X").collect();
-        let named: Vec<&str> = found
-            .iter()
-            .map(String::as_str)
-            .filter(|name| !name.is_empty())
-            .collect();
-        assert_eq!(named, ["TIME", "ADD_X"]);
-    }
 
     #[test]
     fn a_command_outside_the_package_is_told() {

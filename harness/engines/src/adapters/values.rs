@@ -175,7 +175,7 @@ pub(super) fn values(
 }
 
 /// Reads a printed value; `None` where the text is no such value.
-fn value(kind: &ObservedKind<'_>, shown: &str) -> Option<Value> {
+pub(super) fn value(kind: &ObservedKind<'_>, shown: &str) -> Option<Value> {
     let ty = match kind {
         ObservedKind::Enumerated(type_name, values) => {
             let (place, _) = shown.split_once(" (of ")?;
@@ -247,77 +247,4 @@ fn nanoseconds(shown: &str) -> Option<i128> {
     let (seconds, rest) = shown.split_once(" s + ").unwrap_or(("0", shown));
     let (seconds, rest): (i64, i64) = (seconds.parse().ok()?, rest.strip_suffix(" ns")?.parse().ok()?);
     Some(i128::from(seconds) * 1_000_000_000 + i128::from(rest))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use stickler_types::DialectName;
-
-    const SOURCE: &str = "TYPE COLOR : (RED, GREEN); END_TYPE";
-
-    /// Calls `check` with each row of a table, and the kind of a value of its type.
-    fn each_row(table: &str, check: impl Fn(&Observation, &ObservedKind<'_>, &str, &str)) {
-        for row in table.lines().skip(1) {
-            let [type_name, one, other] = &row.split(" | ").collect::<Vec<_>>()[..] else {
-                panic!("{row}")
-            };
-            let observe = [Observation::last("x", type_name)];
-            let request = RunRequest::once(DialectName::RUSTY, SOURCE, &observe);
-            let kinds = kinds(&request, |_| true).unwrap();
-            check(&observe[0], &kinds[0], one, other);
-        }
-    }
-
-    #[test]
-    fn values_are_read_as_they_are_printed() {
-        each_row(include_str!("values/read.txt"), |_, kind, shown, literal| {
-            let found = value(kind, shown).map_or("-".to_owned(), |value| value.to_string());
-            assert_eq!(found, literal, "{shown}");
-        });
-    }
-
-    #[test]
-    fn each_value_is_printed_in_its_form() {
-        each_row(
-            include_str!("values/statements.txt"),
-            |asked, kind, form, printed| {
-                let v = "v".to_owned();
-                let value = match form {
-                    "number" => ValueExpression::Number(v),
-                    "timespec" => ValueExpression::Timespec(v),
-                    "nanoseconds" => ValueExpression::Nanoseconds(v),
-                    "days" => ValueExpression::Days(v),
-                    _ => ValueExpression::Text {
-                        condition: "at < v.len".to_owned(),
-                        unit: "v.body[at]".to_owned(),
-                    },
-                };
-                assert_eq!(statement(asked, kind, &value), printed);
-            },
-        );
-        assert!(functions("print_date(1)").contains("gmtime"));
-        assert_eq!(functions("printf(1)"), "");
-    }
-
-    #[test]
-    fn what_cannot_be_printed_and_what_is_not_printed_is_told() {
-        let observe = ["LTIME", "", "SHAPE", "INT"].map(|type_name| Observation::last("x", type_name));
-        let of = |at: usize| {
-            let request = RunRequest::once(DialectName::MATIEC, "", &observe[at..=at]);
-            kinds(&request, |ty| ty != ElementaryType::Ltime).map(|kinds| (request, kinds))
-        };
-        let reasons = [0, 1, 2].map(|at| of(at).unwrap_err());
-        let expected = [
-            "it has no values of LTIME",
-            "the type of x was not given",
-            "values of SHAPE cannot be shown",
-        ];
-        assert_eq!(reasons, expected);
-        let (request, kinds) = of(3).unwrap();
-        let read = |printed: &str| values(printed, &request, &kinds).unwrap_err();
-        assert_eq!(read("y = 1\n"), "its driver did not print x");
-        assert_eq!(read("x 1\n"), "its driver printed `x 1`");
-        assert_eq!(read("x = y\n"), "x is `y`, which is no value of INT");
-    }
 }

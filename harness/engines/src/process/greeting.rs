@@ -5,7 +5,7 @@ use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::message;
 use super::milliseconds;
-use crate::protocol::{HelloReply, HelloRequest, PROTOCOL, Reply, Request};
+use crate::protocol::{HelloReply, PROTOCOL, Reply, Request};
 use crate::{Ability, EngineError, Grade, Identity, Outcome};
 use serde_json::Value as Json;
 use stickler_types::DialectName;
@@ -19,7 +19,7 @@ impl CommandLine {
         let mut connection = Connection::open(self, limits.line)
             .map_err(|reason| self.not_started(reason))?
             .within(limits.memory);
-        let hello = message::line(&Request::Hello(HelloRequest { protocol: PROTOCOL }));
+        let hello = message::line(&Request::Hello { protocol: PROTOCOL });
         let reply = match connection.exchange(hello, limits.hello) {
             Ok(reply) => reply,
             Err(failure) => return Err(self.not_started(unanswered(failure, connection, limits))),
@@ -85,7 +85,7 @@ fn understood(line: &[u8]) -> Result<HelloReply, String> {
             "it speaks protocol {}, and protocol {PROTOCOL} is spoken here",
             hello.protocol
         )),
-        Ok(Reply::Error(error)) => Err(format!("it answered `hello` by an error: {}", error.message)),
+        Ok(Reply::Error { message, .. }) => Err(format!("it answered `hello` by an error: {message}")),
         Ok(_) | Err(_) => Err(nonsense()),
     }
 }

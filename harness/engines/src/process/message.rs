@@ -75,30 +75,49 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
         return Err(format!("it answered out of turn: {}", excerpt(line)));
     }
     match (reply, verb) {
-        (Reply::Accepted(reply), Verb::Run | Verb::Check) => Ok(Outcome::Accepted {
-            warnings: warnings(reply.diagnostics, word)?,
+        (Reply::Accepted { diagnostics, .. }, Verb::Run | Verb::Check) => Ok(Outcome::Accepted {
+            warnings: warnings(diagnostics, word)?,
         }),
-        (Reply::Executed(reply), Verb::Run) => Ok(Outcome::Executed {
-            values: values(reply.values, observe)?,
-            warnings: warnings(reply.diagnostics, word)?,
+        (
+            Reply::Executed {
+                values, diagnostics, ..
+            },
+            Verb::Run,
+        ) => Ok(Outcome::Executed {
+            values: read_values(values, observe)?,
+            warnings: warnings(diagnostics, word)?,
         }),
-        (Reply::Faulted(reply), Verb::Run) => Ok(Outcome::Faulted {
-            fault: Fault::reported(&reply.fault),
-            line: reply.line,
-            values: values(reply.values, observe)?,
-            warnings: warnings(reply.diagnostics, word)?,
+        (
+            Reply::Faulted {
+                fault,
+                line,
+                values,
+                diagnostics,
+                ..
+            },
+            Verb::Run,
+        ) => Ok(Outcome::Faulted {
+            fault: Fault::reported(&fault),
+            line,
+            values: read_values(values, observe)?,
+            warnings: warnings(diagnostics, word)?,
         }),
-        (Reply::Rendered(reply), Verb::Render) => Ok(Outcome::Rendered { text: reply.text }),
-        (Reply::Rejected(reply), _) => Ok(Outcome::rejected(reply.diagnostics)),
-        (Reply::Unsupported(reply), _) => Ok(match reply.not_implemented {
-            true => Outcome::NotImplemented { reason: reply.reason },
-            false => Outcome::Unsupported { reason: reply.reason },
+        (Reply::Rendered { text, .. }, Verb::Render) => Ok(Outcome::Rendered { text }),
+        (Reply::Rejected { diagnostics, .. }, _) => Ok(Outcome::rejected(diagnostics)),
+        (
+            Reply::Unsupported {
+                reason,
+                not_implemented,
+                ..
+            },
+            _,
+        ) => Ok(match not_implemented {
+            true => Outcome::NotImplemented { reason },
+            false => Outcome::Unsupported { reason },
         }),
-        (Reply::Error(reply), _) => Ok(Outcome::Error {
-            message: reply.message,
-        }),
-        (Reply::Hello(_) | Reply::Accepted(_), _)
-        | (Reply::Executed(_) | Reply::Faulted(_) | Reply::Rendered(_), _) => {
+        (Reply::Error { message, .. }, _) => Ok(Outcome::Error { message }),
+        (Reply::Hello(_) | Reply::Accepted { .. } | Reply::Executed { .. }, _)
+        | (Reply::Faulted { .. } | Reply::Rendered { .. }, _) => {
             Err(format!("it answered `{}` by `{word}`", verb.name()))
         }
     }
@@ -116,7 +135,7 @@ fn warnings(diagnostics: Vec<Diagnostic>, word: &str) -> Result<Vec<Diagnostic>,
 
 /// Parses the values in the order in which they were asked for. A missing value is left out, since a fault may have come before
 /// it; a value that was not asked for is ignored.
-fn values(
+fn read_values(
     mut literals: BTreeMap<String, String>,
     observe: &[Observation],
 ) -> Result<Vec<NamedValue>, String> {

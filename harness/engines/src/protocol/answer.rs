@@ -1,19 +1,17 @@
 //! Turns one request into one reply.
 
-use super::{ClockMessage, HelloReply, HelloRequest, PROTOCOL, ProgramRequest, Reply};
-use super::{RunMessage, SetMessage};
+use super::{ClockMessage, HelloReply, PROTOCOL, ProgramRequest, Reply, RunMessage, SetMessage};
 use crate::{ClockSetting, Identity, RunRequest, Setting};
 use std::str::FromStr;
 use stickler_types::{DialectName, Value};
 
-/// Answers `hello`.
-pub(super) fn hello(identity: &Identity, request: &HelloRequest) -> Reply {
-    if request.protocol != PROTOCOL {
-        let message = format!(
-            "protocol {} is not spoken here; this engine speaks protocol {PROTOCOL}",
-            request.protocol
+/// Answers `hello` of a caller who speaks this version of the protocol.
+pub(super) fn hello(identity: &Identity, protocol: u32) -> Reply {
+    if protocol != PROTOCOL {
+        return Reply::error(
+            None,
+            format!("protocol {protocol} is not spoken here; this engine speaks protocol {PROTOCOL}"),
         );
-        return Reply::error(None, message);
     }
     Reply::Hello(HelloReply {
         protocol: PROTOCOL,

@@ -12,19 +12,75 @@ pub enum Reply {
     /// Answers `hello`.
     Hello(HelloReply),
     /// The program is accepted; nothing was executed.
-    Accepted(AcceptedReply),
+    Accepted {
+        /// The request's id.
+        id: u64,
+        /// The warnings, each with `severity` `warning`, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        diagnostics: Vec<Diagnostic>,
+    },
     /// The program ran to the end of its last scan.
-    Executed(ExecutedReply),
+    Executed {
+        /// The request's id.
+        id: u64,
+        /// Each value under the name by which it was asked for, as a typed literal in its canonical spelling.
+        values: BTreeMap<String, String>,
+        /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        diagnostics: Vec<Diagnostic>,
+    },
     /// The program is rejected.
-    Rejected(RejectedReply),
+    Rejected {
+        /// The request's id.
+        id: u64,
+        /// The diagnostics, sorted by line, column and code; all that a person would want at once.
+        diagnostics: Vec<Diagnostic>,
+    },
     /// The program stopped at a run-time fault.
-    Faulted(FaultedReply),
+    Faulted {
+        /// The request's id.
+        id: u64,
+        /// The kind of the fault: `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address`, `recursion` or `step-limit`, which cases expect, or the compiler's
+        /// own words for any other.
+        #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "null-dereference", "invalid-address", "recursion", "step-limit"])))]
+        fault: String,
+        /// The line, from 1.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[cfg_attr(test, schemars(range(min = 1)))]
+        line: Option<u32>,
+        /// The values observed so far.
+        #[serde(default)]
+        values: BTreeMap<String, String>,
+        /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        diagnostics: Vec<Diagnostic>,
+    },
     /// The program as normalised source.
-    Rendered(RenderedReply),
+    Rendered {
+        /// The request's id.
+        id: u64,
+        /// The whole source.
+        text: String,
+    },
     /// The engine cannot answer this request.
-    Unsupported(UnsupportedReply),
+    Unsupported {
+        /// The request's id.
+        id: u64,
+        /// The reason, as a fragment.
+        reason: String,
+        /// Whether it is the compiler that reports a construct of the program as not implemented. Such an answer fails a case where
+        /// a document of the compiler promises the construct.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        not_implemented: bool,
+    },
     /// The request could not be understood; the engine lives on.
-    Error(ErrorReply),
+    Error {
+        /// The request's id, where it could be read.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        id: Option<u64>,
+        /// The reason why the request could not be understood.
+        message: String,
+    },
 }
 
 /// The identity of the engine.
@@ -47,112 +103,13 @@ pub struct HelloReply {
     pub grade: Grade,
 }
 
-/// The acceptance of a program.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct AcceptedReply {
-    /// The request's id.
-    pub id: u64,
-    /// The warnings, each with `severity` `warning`, sorted by line, column and code.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// The values of an execution.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ExecutedReply {
-    /// The request's id.
-    pub id: u64,
-    /// Each value under the name by which it was asked for, as a typed literal in its canonical spelling.
-    pub values: BTreeMap<String, String>,
-    /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// The reasons of a rejection.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RejectedReply {
-    /// The request's id.
-    pub id: u64,
-    /// The diagnostics, sorted by line, column and code; all that a person would want at once.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// A run-time fault.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct FaultedReply {
-    /// The request's id.
-    pub id: u64,
-    /// The kind of the fault: `division-by-zero`, `subscript-range`, `subrange`, `null-dereference`, `invalid-address`, `recursion` or `step-limit`, which cases expect, or the compiler's
-    /// own words for any other.
-    #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "null-dereference", "invalid-address", "recursion", "step-limit"])))]
-    pub fault: String,
-    /// The line, from 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, schemars(range(min = 1)))]
-    pub line: Option<u32>,
-    /// The values observed so far.
-    #[serde(default)]
-    pub values: BTreeMap<String, String>,
-    /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// Normalised source.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct RenderedReply {
-    /// The request's id.
-    pub id: u64,
-    /// The whole source.
-    pub text: String,
-}
-
-/// A request that the engine cannot answer.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct UnsupportedReply {
-    /// The request's id.
-    pub id: u64,
-    /// The reason, as a fragment.
-    pub reason: String,
-    /// Whether it is the compiler that reports a construct of the program as not implemented. Such an answer fails a case where
-    /// a document of the compiler promises the construct.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub not_implemented: bool,
-}
-
-/// A request that the engine did not understand.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ErrorReply {
-    /// The request's id, where it could be read.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub id: Option<u64>,
-    /// The reason why the request could not be understood.
-    pub message: String,
-}
-
 impl Reply {
     /// Returns an error about the request with this id.
     pub(super) fn error(id: Option<u64>, message: impl Into<String>) -> Reply {
-        Reply::Error(ErrorReply {
+        Reply::Error {
             id,
             message: message.into(),
-        })
-    }
-
-    fn unsupported(id: u64, reason: String, not_implemented: bool) -> Reply {
-        Reply::Unsupported(UnsupportedReply {
-            id,
-            reason,
-            not_implemented,
-        })
+        }
     }
 
     /// Returns the `id` of the request that the reply answers; `None` where the reply repeats none.
@@ -160,13 +117,11 @@ impl Reply {
     pub fn id(&self) -> Option<u64> {
         match self {
             Reply::Hello(_) => None,
-            Reply::Accepted(reply) => Some(reply.id),
-            Reply::Executed(reply) => Some(reply.id),
-            Reply::Rejected(reply) => Some(reply.id),
-            Reply::Faulted(reply) => Some(reply.id),
-            Reply::Rendered(reply) => Some(reply.id),
-            Reply::Unsupported(reply) => Some(reply.id),
-            Reply::Error(reply) => reply.id,
+            Reply::Error { id, .. } => *id,
+            Reply::Accepted { id, .. } | Reply::Executed { id, .. } | Reply::Rejected { id, .. } => Some(*id),
+            Reply::Faulted { id, .. } | Reply::Rendered { id, .. } | Reply::Unsupported { id, .. } => {
+                Some(*id)
+            }
         }
     }
 
@@ -175,13 +130,13 @@ impl Reply {
     pub fn word(&self) -> &'static str {
         match self {
             Reply::Hello(_) => "hello",
-            Reply::Accepted(_) => "accepted",
-            Reply::Executed(_) => "executed",
-            Reply::Rejected(_) => "rejected",
-            Reply::Faulted(_) => "faulted",
-            Reply::Rendered(_) => "rendered",
-            Reply::Unsupported(_) => "unsupported",
-            Reply::Error(_) => "error",
+            Reply::Accepted { .. } => "accepted",
+            Reply::Executed { .. } => "executed",
+            Reply::Rejected { .. } => "rejected",
+            Reply::Faulted { .. } => "faulted",
+            Reply::Rendered { .. } => "rendered",
+            Reply::Unsupported { .. } => "unsupported",
+            Reply::Error { .. } => "error",
         }
     }
 
@@ -190,31 +145,39 @@ impl Reply {
     #[must_use]
     pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
         match outcome {
-            Outcome::Accepted { warnings } => Reply::Accepted(AcceptedReply {
+            Outcome::Accepted { warnings } => Reply::Accepted {
                 id,
                 diagnostics: warnings,
-            }),
-            Outcome::Executed { values, warnings } => Reply::Executed(ExecutedReply {
+            },
+            Outcome::Executed { values, warnings } => Reply::Executed {
                 id,
                 values: literals(values),
                 diagnostics: warnings,
-            }),
-            Outcome::Rejected { diagnostics } => Reply::Rejected(RejectedReply { id, diagnostics }),
+            },
+            Outcome::Rejected { diagnostics } => Reply::Rejected { id, diagnostics },
             Outcome::Faulted {
                 fault,
                 line,
                 values,
                 warnings,
-            } => Reply::Faulted(FaultedReply {
+            } => Reply::Faulted {
                 id,
                 fault: fault.as_str().to_owned(),
                 line,
                 values: literals(values),
                 diagnostics: warnings,
-            }),
-            Outcome::Rendered { text } => Reply::Rendered(RenderedReply { id, text }),
-            Outcome::Unsupported { reason } => Reply::unsupported(id, reason, false),
-            Outcome::NotImplemented { reason } => Reply::unsupported(id, reason, true),
+            },
+            Outcome::Rendered { text } => Reply::Rendered { id, text },
+            Outcome::Unsupported { reason } => Reply::Unsupported {
+                id,
+                reason,
+                not_implemented: false,
+            },
+            Outcome::NotImplemented { reason } => Reply::Unsupported {
+                id,
+                reason,
+                not_implemented: true,
+            },
             Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
             Outcome::TimedOut { .. } | Outcome::Unusable { .. } => {
                 Reply::error(Some(id), outcome.to_string())

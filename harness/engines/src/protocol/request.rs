@@ -9,7 +9,10 @@ use serde::{Deserialize, Serialize};
 #[serde(tag = "type", rename_all = "lowercase")]
 pub enum Request {
     /// Opens a conversation; answered by `hello`.
-    Hello(HelloRequest),
+    Hello {
+        /// The version of the protocol that the caller speaks.
+        protocol: u32,
+    },
     /// Executes a program; answered by `executed`, `rejected`, `faulted`, `unsupported`, `error`, or, by an
     /// engine that can only check, `accepted`.
     Run(RunMessage),
@@ -19,14 +22,6 @@ pub enum Request {
     Render(ProgramRequest),
     /// Ends the conversation; not answered.
     Bye,
-}
-
-/// The opening of a conversation.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct HelloRequest {
-    /// The version of the protocol that the caller speaks.
-    pub protocol: u32,
 }
 
 /// A program to check or to render.

@@ -58,11 +58,9 @@ fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<ServerAnsw
     }
     let (id, outcome) = match serde_json::from_slice::<Request>(line) {
         Ok(Request::Bye) => return Ok(ServerAnswer::Farewell),
-        Ok(Request::Hello(request)) => {
-            return Ok(ServerAnswer::Reply(answer::hello(
-                session.engine().identity(),
-                &request,
-            )));
+        Ok(Request::Hello { protocol }) => {
+            let reply = answer::hello(session.engine().identity(), protocol);
+            return Ok(ServerAnswer::Reply(reply));
         }
         Ok(Request::Run(request)) => (request.id, answer::run(&request, |run| session.run(run))),
         Ok(Request::Check(request)) => (

@@ -16,8 +16,8 @@ pub(super) fn read(line: &[u8]) -> Result<Reply, String> {
     let no_reply = |error: serde_json::Error| format!("{} is no reply: {error}", excerpt(line));
     let reply: Reply = serde_json::from_slice(line).map_err(no_reply)?;
     match &reply {
-        Reply::Rejected(reply) => reply.diagnostics.iter().try_for_each(numbers)?,
-        Reply::Faulted(reply) => from_one("line", reply.line)?,
+        Reply::Rejected { diagnostics, .. } => diagnostics.iter().try_for_each(numbers)?,
+        Reply::Faulted { line, .. } => from_one("line", *line)?,
         _ => {}
     }
     Ok(reply)
@@ -79,56 +79,48 @@ pub(super) fn judge(
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
     let wrong = |words: String| (CheckVerdict::Wrong, Some(words));
     match (expect, reply) {
-        (SmokeExpectation::Refused, Reply::Error(_) | Reply::Unsupported(_))
-        | (SmokeExpectation::Error, Reply::Error(_)) => (CheckVerdict::Right, None),
+        (SmokeExpectation::Refused, Reply::Error { .. } | Reply::Unsupported { .. })
+        | (SmokeExpectation::Error, Reply::Error { .. }) => (CheckVerdict::Right, None),
         (SmokeExpectation::Error, other) => broken(format!("it is answered by `{}`", other.word())),
-        (_, Reply::Unsupported(reply)) => (
-            CheckVerdict::Skipped,
-            Some(format!("not supported: {}", reply.reason)),
-        ),
-        (_, Reply::Error(reply)) => broken(format!(
-            "it answers a sound request by an error: {}",
-            reply.message
-        )),
-        (SmokeExpectation::Accepted, Reply::Accepted(_))
-        | (SmokeExpectation::Rendered, Reply::Rendered(_)) => (CheckVerdict::Right, None),
-        (SmokeExpectation::Rejected { line }, Reply::Rejected(reply)) => {
-            rejected(&reply.diagnostics, *line, grade)
+        (_, Reply::Unsupported { reason, .. }) => {
+            (CheckVerdict::Skipped, Some(format!("not supported: {reason}")))
         }
-        (SmokeExpectation::Values(expected), Reply::Executed(reply)) => {
+        (_, Reply::Error { message, .. }) => {
+            broken(format!("it answers a sound request by an error: {message}"))
+        }
+        (SmokeExpectation::Accepted, Reply::Accepted { .. })
+        | (SmokeExpectation::Rendered, Reply::Rendered { .. }) => (CheckVerdict::Right, None),
+        (SmokeExpectation::Rejected { line }, Reply::Rejected { diagnostics, .. }) => {
+            rejected(diagnostics, *line, grade)
+        }
+        (SmokeExpectation::Values(expected), Reply::Executed { values, .. }) => {
             for (key, literal) in expected.iter().filter_map(|value| value.split_once(" = ")) {
                 let ty = types
                     .iter()
                     .find(|(name, _)| *name == key)
                     .map_or("", |(_, ty)| *ty);
-                match value(reply.values.get(key), key, ty, literal) {
+                match value(values.get(key), key, ty, literal) {
                     (CheckVerdict::Right, _) => {}
                     other => return other,
                 }
             }
             (CheckVerdict::Right, None)
         }
-        (SmokeExpectation::Rejected { .. }, Reply::Accepted(_) | Reply::Executed(_)) => {
+        (SmokeExpectation::Rejected { .. }, Reply::Accepted { .. } | Reply::Executed { .. }) => {
             wrong("the program is accepted, and must be rejected".to_owned())
         }
-        (SmokeExpectation::Refused, Reply::Executed(_) | Reply::Accepted(_)) => {
+        (SmokeExpectation::Refused, Reply::Executed { .. } | Reply::Accepted { .. }) => {
             broken(format!("it is answered by `{}`", reply.word()))
         }
-        (SmokeExpectation::Values(_), Reply::Accepted(_)) => {
+        (SmokeExpectation::Values(_), Reply::Accepted { .. }) => {
             broken("it says that it can `execute`, and answers `run` by `accepted`".to_owned())
         }
-        (SmokeExpectation::Values(_), Reply::Faulted(reply)) => {
-            wrong(format!("the program stops with the fault {}", reply.fault))
+        (SmokeExpectation::Values(_), Reply::Faulted { fault, .. }) => {
+            wrong(format!("the program stops with the fault {fault}"))
         }
-        (
-            SmokeExpectation::Accepted
-            | SmokeExpectation::Values(_)
-            | SmokeExpectation::Rendered
-            | SmokeExpectation::Refused,
-            Reply::Rejected(reply),
-        ) => {
-            let first = reply
-                .diagnostics
+        // A program that must be rejected came above; `Error` expects no reply but an error.
+        (_, Reply::Rejected { diagnostics, .. }) => {
+            let first = diagnostics
                 .first()
                 .map_or("without a word", |first| &first.message);
             wrong(format!("the program is rejected, and is sound: {first}"))

@@ -4,85 +4,50 @@ use crate::fixture::block;
 use serde_json::{Value as Json, json};
 use std::path::Path;
 use stickler_engines::protocol::serve;
-use stickler_engines::{
-    Ability, Engine, EngineError, Grade, Identity, Outcome, Reference, RunRequest, Session,
-};
+use stickler_engines::{Ability, ClosureEngine, Engine, Grade, Identity, Outcome, Reference, RunRequest};
 use stickler_mdtest::{fits, sections};
 use stickler_types::{DialectName, Fault, Value};
 
-/// An engine that answers with the request it got, and panics where the source says so.
-struct Parrot {
-    identity: Identity,
+/// Returns an engine that answers with the request it got, and otherwise where the source says so.
+fn parrot() -> ClosureEngine<'static> {
+    let mut engine = ClosureEngine::new("parrot", |_, request| repeat(request));
+    engine.identity = Identity {
+        name: "parrot".to_owned(),
+        version: "7".to_owned(),
+        dialects: vec![DialectName::MATIEC],
+        abilities: vec![Ability::Execute],
+        grade: Grade::Line,
+        lacks: Vec::new(),
+    };
+    engine.render = Some(Box::new(|_, source| Outcome::Rendered {
+        text: source.to_owned(),
+    }));
+    engine
 }
 
-impl Engine for Parrot {
-    fn identity(&self) -> &Identity {
-        &self.identity
-    }
-
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        Ok(Box::new(self))
-    }
-}
-
-impl Session for &Parrot {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        if request.source == "panic" {
-            panic!("no more seeds");
-        }
-        let text = |text: String| Value::parse(&format!("STRING#'{text}'")).unwrap();
-        let clock = request
-            .clock
-            .iter()
-            .map(|step| format!("{}:{}ns", step.before, step.nanoseconds));
-        let set = request
-            .set
-            .iter()
-            .map(|set| format!("{}:{}={}", set.before, set.name, set.value));
-        let reported: Vec<String> = clock.chain(set).collect();
-        let mut values = vec![(format!("scans {}", request.scans), text(reported.join(" ")))];
-        values.extend(
-            request
-                .observe
-                .iter()
-                .map(|asked| (asked.key().to_string(), text(asked.type_name.to_string()))),
-        );
-        match request.source {
-            "fault" => Outcome::Faulted {
-                fault: Fault::SubscriptRange,
-                line: None,
-                values,
-                warnings: Vec::new(),
-            },
-            _ => Outcome::executed(values),
-        }
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let reason = format!("{dialect} {source}");
-        match source {
-            "later" => Outcome::NotImplemented { reason },
-            _ => Outcome::Unsupported { reason },
-        }
-    }
-
-    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
-        Outcome::Rendered {
-            text: source.to_owned(),
-        }
-    }
-}
-
-fn parrot() -> Parrot {
-    Parrot {
-        identity: Identity {
-            name: "parrot".to_owned(),
-            version: "7".to_owned(),
-            dialects: vec![DialectName::MATIEC],
-            abilities: vec![Ability::Execute],
-            grade: Grade::Line,
-            lacks: Vec::new(),
+fn repeat(request: &RunRequest<'_>) -> Outcome {
+    let text = |text: String| Value::parse(&format!("STRING#'{text}'")).unwrap();
+    let clock = request.clock.iter();
+    let clock = clock.map(|step| format!("{}:{}ns", step.before, step.nanoseconds));
+    let set = request.set.iter();
+    let set = set.map(|set| format!("{}:{}={}", set.before, set.name, set.value));
+    let settings: Vec<String> = clock.chain(set).collect();
+    let observed = request.observe.iter();
+    let observed = observed.map(|asked| (asked.key().to_string(), text(asked.type_name.to_string())));
+    let scans = (format!("scans {}", request.scans), text(settings.join(" ")));
+    let values = [scans].into_iter().chain(observed).collect();
+    let reason = format!("{} {}", request.dialect, request.source);
+    match request.source {
+        "panic" => panic!("no more seeds"),
+        "x" => Outcome::Unsupported { reason },
+        "later" => Outcome::NotImplemented { reason },
+        "fault" => Outcome::Faulted {
+            fault: Fault::SubscriptRange,
+            line: None,
+            values,
+            warnings: Vec::new(),
         },
+        _ => Outcome::executed(values),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::page::MAGIC;
+use stickler_mdtest::check_examples;
 
 fn read_bytes(bytes: &[u8]) -> Pasted {
     read(&decoded(bytes))
@@ -20,14 +21,6 @@ fn arrays(text: &str) -> Vec<Vec<(usize, i32)>> {
                 .map(|(index, value)| (*index, *value))
                 .collect()
         })
-        .collect()
-}
-
-fn complaints(text: &str) -> Vec<(usize, usize, String)> {
-    let complaints = read_bytes(text.as_bytes()).complaints;
-    complaints
-        .into_iter()
-        .map(|reported| (reported.line, reported.column, reported.what))
         .collect()
 }
 
@@ -63,45 +56,22 @@ fn line_ends_and_marks_of_any_system_are_passed_over() {
 }
 
 #[test]
-fn an_element_that_comes_again_begins_another_array_and_so_does_the_first_number_of_a_list() {
-    assert_eq!(
-        arrays("[0] 1\n[1] 2\n[0] 3\n"),
-        [vec![(0, 1), (1, 2)], vec![(0, 3)]]
-    );
-    let list = format!("{MAGIC} 20000 7 {MAGIC} 30000 8");
-    let expected = [
-        vec![(0, MAGIC), (1, 20_000), (2, 7)],
-        vec![(0, MAGIC), (1, 30_000), (2, 8)],
-    ];
-    assert_eq!(arrays(&list), expected);
-}
-
-#[test]
-fn what_cannot_be_read_is_told_with_its_line_and_column() {
-    assert_eq!(
-        complaints("[0]\tDINT\t5\nresults[1]\tDINT\t???\nresults[2]\tDINT\t\t\nresults[3]\tLREAL\t1.5E3\n"),
-        [
-            (
-                2,
-                17,
-                "results[1] has no value that can be read: `???`".to_owned()
-            ),
-            (
-                3,
-                12,
-                "results[2] has no value that can be read: `DINT`".to_owned()
-            ),
-            (
-                4,
-                18,
-                "results[3] is `1.5E3`, which is no whole number of 32 bits".to_owned()
-            ),
-        ]
-    );
-    assert_eq!(
-        complaints("1398033201, 20000, INVALID, 4"),
-        [(1, 20, "`INVALID` is no whole number of 32 bits".to_owned())]
-    );
+fn golden_pasted_texts() {
+    check_examples("tests/pasted.md", |example| {
+        let pasted = read_bytes(example.text("text").as_bytes());
+        let told = match example.wanted() {
+            "arrays" => {
+                let shown = |array: &Array| format!("{:?}", array.elements);
+                pasted.arrays.iter().map(shown).collect::<Vec<_>>()
+            }
+            _ => {
+                let complaints = pasted.complaints.into_iter();
+                let shown = |told: Complaint| format!("{}:{}: {}", told.line, told.column, told.what);
+                complaints.map(shown).collect()
+            }
+        };
+        told.join("\n")
+    });
 }
 
 #[test]

@@ -67,13 +67,13 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Judged<()> {
     if !reply.ends_with(b"\n") {
         return failed("reply", "the reply does not end its line");
     }
-    if let Reply::Error(error) = &read {
-        check_error(&error.message)?;
+    if let Reply::Error { message, .. } = &read {
+        check_error(message)?;
     }
     let Ok(Json::Object(request)) = serde_json::from_slice::<Json>(line) else {
         return match read {
             // A number beyond the range of a JSON reader may still stand in a part that is not read.
-            Reply::Error(_) => Ok(()),
+            Reply::Error { .. } => Ok(()),
             _ => failed("kind", "no JSON object is answered by an error"),
         };
     };
@@ -99,9 +99,9 @@ fn check_reply(line: &[u8], reply: &[u8]) -> Judged<()> {
         return failed("id", format!("the request's id is {id:?}"));
     }
     match &read {
-        Reply::Executed(executed) => check_values(&request, &executed.values, true),
-        Reply::Faulted(faulted) => check_values(&request, &faulted.values, false),
-        Reply::Rejected(rejected) => check_diagnostics(&request, &rejected.diagnostics),
+        Reply::Executed { values, .. } => check_values(&request, values, true),
+        Reply::Faulted { values, .. } => check_values(&request, values, false),
+        Reply::Rejected { diagnostics, .. } => check_diagnostics(&request, diagnostics),
         _ => Ok(()),
     }
 }

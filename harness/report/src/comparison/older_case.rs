@@ -133,39 +133,23 @@ mod tests {
     use super::OlderCase;
     use crate::comparison::Kind;
     use crate::sample;
+    use stickler_mdtest::check_examples;
     use stickler_run::{BaselineNote, CaseEvent, Verdict};
 
     fn change(old: &CaseEvent, new: &CaseEvent) -> Option<Kind> {
         OlderCase::of(old).change(new)
     }
 
-    fn between(old: Verdict, new: Verdict) -> Option<Kind> {
-        change(&sample::case("a", old), &sample::case("a", new))
-    }
-
     #[test]
-    fn what_a_document_says_and_what_an_engine_does_decide_and_not_what_a_baseline_expects() {
-        use Verdict::{Crash, Error, Fail, Pass, Timeout, Unsupported, Xfail, Xpass};
-        for (old, new, change) in [
-            (Pass, Fail, Some(Kind::Broken)),
-            (Pass, Xfail, Some(Kind::Broken)),
-            (Xpass, Error, Some(Kind::Broken)),
-            (Pass, Unsupported, Some(Kind::Broken)),
-            (Pass, Crash, Some(Kind::Crashed)),
-            (Fail, Timeout, Some(Kind::Crashed)),
-            (Unsupported, Crash, Some(Kind::Crashed)),
-            (Fail, Pass, Some(Kind::Fixed)),
-            (Crash, Xpass, Some(Kind::Fixed)),
-            (Unsupported, Pass, Some(Kind::Fixed)),
-            (Crash, Fail, Some(Kind::Otherwise)),
-            (Fail, Unsupported, Some(Kind::Otherwise)),
-            (Unsupported, Fail, Some(Kind::Otherwise)),
-            (Fail, Xfail, None),
-            (Crash, Timeout, None),
-            (Pass, Pass, None),
-        ] {
-            assert_eq!(between(old, new), change, "{old} → {new}");
-        }
+    fn golden_changes_of_verdicts() {
+        check_examples("tests/changes.md", |example| {
+            let case = |column: &str| {
+                let verdict = Verdict::from_word(example.text(column)).expect("a verdict");
+                sample::case("a", verdict)
+            };
+            let change = change(&case("old"), &case("new"));
+            change.map_or("none".to_owned(), |kind| kind.to_string())
+        });
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::{EventLog, Reader, log_of, recognize};
 use crate::{LogError, sample};
 use std::fs;
+use stickler_mdtest::check_examples;
 use stickler_run::{CaseEvent, Event, FORMAT, Verdict};
 
 fn written(events: &[Event]) -> Vec<u8> {
@@ -31,39 +32,46 @@ fn what_is_written_is_read_back() {
     complete.expect("a whole run");
 }
 
-#[test]
-fn a_log_without_its_footer_is_called_truncated() {
-    let run = sample::run();
-    let bytes = written(&run[..run.len() - 1]);
-    let (events, complete) = read_back(&bytes).expect("a log");
-    assert_eq!(events.len(), run.len() - 1);
-    let truncated = complete.expect_err("no footer").to_string();
-    let cases = run.len() - 2;
-    assert!(
-        truncated.contains(&format!("cut short after {cases} cases")),
-        "{truncated}"
-    );
-}
-
-#[test]
-fn a_half_written_last_line_counts_as_not_written() {
-    let run = sample::run();
+/// Returns the log of a run to which something happened, or this text.
+fn broken(log: &str) -> Vec<u8> {
+    let mut run = sample::run();
+    match log {
+        "without its footer" => drop(run.pop()),
+        "without a case" => drop(run.remove(2)),
+        "of a later format" => sample::header(&mut run).format = FORMAT + 1,
+        "with a line that is no event" => run.truncate(2),
+        _ => {}
+    }
     let bytes = written(&run);
-    let (events, complete) = read_back(&bytes[..bytes.len() - 10]).expect("a log");
-    assert_eq!(events.len(), run.len() - 1);
-    assert!(matches!(complete, Err(LogError::Truncated { .. })));
+    match log {
+        "with half a last line" => bytes[..bytes.len() - 10].to_vec(),
+        "with a line that is no event" => [&bytes[..], b"{}\n"].concat(),
+        "twice" => bytes.repeat(2),
+        "without its groups" => {
+            let text = String::from_utf8(bytes).expect("text");
+            let lines = text
+                .split_inclusive('\n')
+                .filter(|line| !line.contains("group\":{"));
+            lines.collect::<String>().into_bytes()
+        }
+        _ if log.starts_with("with") || log.starts_with("of") => bytes,
+        text => text.as_bytes().to_vec(),
+    }
 }
 
 #[test]
-fn what_is_no_log_is_told_from_a_broken_one() {
-    assert!(matches!(read_back(b""), Err(LogError::Empty)));
-    assert!(matches!(read_back(b"hello\n"), Err(LogError::NoHeader(_))));
-    let mut bytes = written(&sample::run()[..2]);
-    bytes.extend_from_slice(b"{}\n");
-    assert!(matches!(read_back(&bytes), Err(LogError::Line { line: 4, .. })));
-    let mut twice = written(&sample::run());
-    twice.extend(written(&sample::run()));
-    assert!(matches!(read_back(&twice), Err(LogError::Misplaced { .. })));
+fn golden_broken_logs() {
+    check_examples("tests/logs.md", |example| {
+        let bytes = broken(example.text("log"));
+        match (example.wanted(), read_back(&bytes)) {
+            ("recognized", _) => recognize(&bytes).unwrap_or_default(),
+            (_, Err(error)) => error.to_string(),
+            (_, Ok((events, complete))) => {
+                let error = complete.expect_err("what is broken is no whole run");
+                format!("{} events, and {error}", events.len())
+            }
+        }
+    });
 }
 
 #[test]
@@ -106,62 +114,4 @@ fn a_case_with_its_program_has_its_question() {
     let text = String::from_utf8_lossy(&log);
     assert!(text.contains(&format!(r#""question":"{question}""#)), "{text}");
     assert_eq!(read_back(&log).expect("a log").0, run);
-}
-
-#[test]
-fn a_case_whose_group_is_not_described_is_no_case() {
-    let text = String::from_utf8(log_of(&sample::run())).expect("text");
-    let without: String = text
-        .lines()
-        .filter(|line| !line.contains("group\":{"))
-        .map(|l| format!("{l}\n"))
-        .collect();
-    let error = read_back(without.as_bytes()).expect_err("no group");
-    assert!(matches!(error, LogError::Group { line: 2 }), "{error}");
-}
-
-#[test]
-fn a_log_out_of_which_a_case_was_lost_is_broken_though_its_footer_is_there() {
-    let mut events = sample::run();
-    events.remove(2);
-    let error = read_back(&written(&events)).expect_err("a case is missing");
-    assert!(matches!(
-        error,
-        LogError::Miscounted {
-            promised: 4,
-            cases: 3
-        }
-    ));
-}
-
-#[test]
-fn a_log_of_a_later_format_is_not_guessed_at() {
-    let mut events = sample::run();
-    sample::header(&mut events).format = FORMAT + 1;
-    let error = read_back(&written(&events)).expect_err("another format");
-    assert!(matches!(error, LogError::Later { format } if format == FORMAT + 1));
-}
-
-#[test]
-fn an_earlier_format_and_the_wrong_file_are_named_with_what_to_do() {
-    let read = |text: &str| read_back(text.as_bytes()).expect_err("no such log").to_string();
-    let log = "{\"type\":\"header\",\"format\":1,\"stickler\":\"0.1.0\",\"cases\":1}\n\
-               {\"type\":\"case\",\"id\":\"a\",\"expected\":\"accepted\"}\n";
-    let reported = read(log);
-    assert!(
-        reported.contains("format 1") && reported.ends_with("run the cases again with this version"),
-        "{reported}"
-    );
-    let reported = read("{\"format\":1,\n\"stickler\":\"0.1.0\"}\n");
-    assert!(reported.contains("results.json of format 1"), "{reported}");
-    assert_eq!(
-        recognize(log.as_bytes()).as_deref(),
-        Some("the event log of a run, of format 1")
-    );
-    assert_eq!(recognize(b"results[0] := 5;\n"), None);
-    let reported = read("{\"format\":2,\n\"stickler\":\"0.1.0\"}\n");
-    assert!(
-        reported.ends_with("name its folder, or the events.jsonl beside it"),
-        "{reported}"
-    );
 }

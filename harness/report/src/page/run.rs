@@ -2,7 +2,7 @@
 
 use crate::discrepancies::cause_page_of;
 use crate::overview::Overview;
-use crate::terminal::lacks::said;
+use crate::terminal::causes::said;
 use crate::text::visible;
 use serde_json::{Value, json};
 use stickler_run::{Cause, Fact, Reproducer, clip_facts};

@@ -127,19 +127,9 @@ fn the_page_loads_nothing_and_makes_no_markup_of_texts() {
     let (head, ..) = skeleton();
     assert!(head.contains("default-src 'none'"), "{head}");
     for part in SCRIPTS.into_iter().chain([STYLE]) {
-        for word in [
-            "</script",
-            "</style",
-            "innerHTML",
-            "outerHTML",
-            "insertAdjacentHTML",
-            "eval(",
-            "import ",
-            "fetch(",
-            "@import",
-            "url(",
-            "XMLHttpRequest",
-        ] {
+        let markup = "</script|</style|innerHTML|outerHTML|insertAdjacentHTML";
+        let loading = "eval(|import |fetch(|@import|url(|XMLHttpRequest";
+        for word in markup.split('|').chain(loading.split('|')) {
             assert!(!part.contains(word), "{word}");
         }
     }
@@ -226,26 +216,18 @@ fn every_text_stands_out_from_its_ground_in_both_themes() {
         for (text, grounds) in [
             (
                 "text",
-                &[
-                    "ground",
-                    "raised",
-                    "good-ground",
-                    "bad-ground",
-                    "odd-ground",
-                    "open-ground",
-                    "warn-ground",
-                ][..],
+                "ground raised good-ground bad-ground odd-ground open-ground warn-ground",
             ),
-            ("dim", &["ground", "raised"]),
-            ("link", &["ground", "raised"]),
-            ("mark", &["raised"]),
-            ("good", &["good-ground", "raised"]),
-            ("bad", &["bad-ground", "raised"]),
-            ("odd", &["odd-ground"]),
-            ("open", &["open-ground"]),
-            ("warn", &["warn-ground", "warn-stripe"]),
+            ("dim", "ground raised"),
+            ("link", "ground raised"),
+            ("mark", "raised"),
+            ("good", "good-ground raised"),
+            ("bad", "bad-ground raised"),
+            ("odd", "odd-ground"),
+            ("open", "open-ground"),
+            ("warn", "warn-ground warn-stripe"),
         ] {
-            for ground in grounds {
+            for ground in grounds.split(' ') {
                 let ratio = contrast(theme[text], theme[ground]);
                 assert!(ratio >= 4.5, "{text} on {ground}: {ratio:.2}");
             }

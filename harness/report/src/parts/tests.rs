@@ -4,6 +4,7 @@ use super::{RunPart, merge};
 use crate::events::{Reader, log_of};
 use crate::sample;
 use std::io;
+use stickler_mdtest::check_examples;
 use stickler_run::{Cause, Event, Verdict};
 use stickler_workers::Shard;
 
@@ -79,74 +80,31 @@ fn all_parts_in_any_order_are_the_whole_run() {
     assert_eq!(merged, expected);
 }
 
-/// Returns the events of part 2 of 2, edited.
-fn edited(edit: impl FnOnce(&mut Vec<Event>)) -> Vec<Event> {
+/// Returns the events of the second part of an example: part 2 of 2 with an edit, or others.
+fn second(what: &str) -> Vec<Event> {
     let mut events = part(2, 2);
-    edit(&mut events);
+    match what {
+        "part 2 of 3" => return part(2, 3),
+        "part 1 of 2 again" => return part(1, 2),
+        "a whole run" => return whole(),
+        "empty" => events.clear(),
+        "cut short" => drop(events.pop()),
+        "without a case" => drop(events.remove(3)),
+        "with a case of the other" => events[1] = part(1, 2).swap_remove(1),
+        "of a newer engine" => sample::header(&mut events).engines[0].version = "0.2.0".to_owned(),
+        _ => sample::header(&mut events).format = 1,
+    }
     events
 }
 
 #[test]
-fn what_is_missing_or_no_part_of_the_run_is_named_and_the_rest_is_not_taken_for_the_whole() {
-    let missing_part = "part 2/2 is missing";
-    let cut = edited(|events| drop(events.pop()));
-    let cases = cut.len() - 1;
-    let cut_short =
-        format!("part 2/2 (b): the run was cut short after {cases} cases: its event log has no footer");
-    let lossy = edited(|events| drop(events.remove(3)));
-    let strange = edited(|events| events[1] = part(1, 2).swap_remove(1));
-    let newer = edited(|events| sample::header(events).engines[0].version = "0.2.0".to_owned());
-    let of_format_1 = edited(|events| sample::header(events).format = 1);
-    for (second, reasons) in [
-        (
-            part(2, 3),
-            &[
-                "b is no part of the same run as a: its number of parts is 3",
-                missing_part,
-            ][..],
-        ),
-        (cut, &[&cut_short]),
-        (
-            lossy,
-            &[
-                "part 2/2 (b) cannot be read to its end: the event log promises 23 cases and holds 22, so it is not whole",
-            ],
-        ),
-        (
-            strange,
-            &["part 2/2 (b) holds widening/a::x(0), which is another part's"],
-        ),
-        (
-            part(1, 2),
-            &["part 1/2 is there more than once: a and b", missing_part],
-        ),
-        (whole(), &["b is a whole run, and no part of one", missing_part]),
-        (
-            newer,
-            &[
-                "b is no part of the same run as a: its list of engines is reference 0.2.0",
-                missing_part,
-            ],
-        ),
-        (
-            Vec::new(),
-            &["b cannot be read: the event log is empty", missing_part],
-        ),
-        (
-            of_format_1,
-            &[
-                "b cannot be read: the event log has format 1, which an earlier version of Stickler wrote",
-                missing_part,
-            ],
-        ),
-    ] {
-        let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &second)]);
-        assert_eq!(missing.len(), reasons.len(), "{missing:?}");
-        for (missing, reason) in missing.iter().zip(reasons) {
-            assert!(missing.starts_with(reason), "{reason}: {missing}");
-        }
+fn golden_broken_parts() {
+    check_examples("tests/parts.md", |example| {
+        let parts = vec![log("a", &part(1, 2)), log("b", &second(example.text("second")))];
+        let (events, missing) = merged(parts);
         assert!(!is_whole(&events) && events.len() > 10, "{missing:?}");
-    }
+        missing.join("\n")
+    });
 }
 
 #[test]

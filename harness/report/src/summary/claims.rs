@@ -1,7 +1,7 @@
 //! Writes the claims as Markdown: each section of each document, and the results of the engines.
 
 use super::BoundedMarkdown;
-use crate::claims::{Row, Standing};
+use crate::claims::{COLUMNS, Row, Standing};
 use crate::markdown::{cells, inline, linked};
 use crate::overview::Overview;
 
@@ -15,10 +15,31 @@ pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     );
     page.add("Stickler: no failure.\n\n");
     let engines = overview.engines();
-    let rows = overview.claims.rows(&engines);
-    match &engines[..] {
-        [_] => of_one_engine(overview, &rows, page),
-        _ => of_several_engines(overview, &rows, &engines, page),
+    let heads: Vec<String> = match &engines[..] {
+        [_] => COLUMNS.iter().map(|(head, _)| (*head).to_owned()).collect(),
+        engines => engines.iter().map(|engine| inline(engine)).collect(),
+    };
+    let rule = "--:|".repeat(heads.len());
+    page.add(&format!("| | source | kind | section |{}\n", cells(heads)));
+    page.add(&format!("|---|---|---|---|{rule}\n"));
+    for row in overview.claims.rows(&engines) {
+        let Some(name) = name(overview, &row) else {
+            continue;
+        };
+        let numbers = match &row.standings[..] {
+            [standing] => cells(
+                COLUMNS
+                    .iter()
+                    .map(|(head, count)| count_cell(head, count(standing))),
+            ),
+            standings => cells(standings.iter().map(cell)),
+        };
+        page.add(&format!("{name}{numbers}\n"));
+    }
+    if engines.len() != 1 {
+        page.add(
+            "\nn/m: n of m cases came out as the source says. -: the engine has no case of this claim.\n",
+        );
     }
 }
 
@@ -44,19 +65,6 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
     ))
 }
 
-/// Writes a table with engines as columns and claims as rows.
-fn of_several_engines(overview: &Overview, rows: &[Row<'_>], engines: &[&str], page: &mut BoundedMarkdown) {
-    let names = engines.iter().map(|engine| inline(engine));
-    page.add(&format!("| | source | kind | section |{}\n", cells(names)));
-    page.add(&format!("|---|---|---|---|{}\n", "--:|".repeat(engines.len())));
-    for row in rows {
-        if let Some(name) = name(overview, row) {
-            page.add(&format!("{name}{}\n", cells(row.standings.iter().map(cell))));
-        }
-    }
-    page.add("\nn/m: n of m cases came out as the source says. -: the engine has no case of this claim.\n");
-}
-
 /// Formats an engine's results for a claim in a few words.
 fn cell(standing: &Standing) -> String {
     let (passed, judged) = (standing.passed, standing.decided());
@@ -80,25 +88,10 @@ fn cell(standing: &Standing) -> String {
     }
 }
 
-fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut BoundedMarkdown) {
-    page.add("| | source | kind | section | passed | failed | differs | open | unsupported | waiting |\n");
-    page.add("|---|---|---|---|--:|--:|--:|--:|--:|--:|\n");
-    for row in rows {
-        if let (Some(name), [standing]) = (name(overview, row), &row.standings[..]) {
-            let failed = match standing.failed {
-                0 => "0".to_owned(),
-                failed => format!("**{failed}**"),
-            };
-            let [passed, differs, open, unsupported, waiting] = [
-                standing.passed,
-                standing.differs,
-                standing.open,
-                standing.unsupported,
-                standing.waiting,
-            ]
-            .map(|number| number.to_string());
-            let numbers = cells([passed, failed, differs, open, unsupported, waiting]);
-            page.add(&format!("{name}{numbers}\n"));
-        }
+/// Formats one number of an engine's results for a claim.
+fn count_cell(head: &str, number: u64) -> String {
+    match (head, number) {
+        ("failed", 1..) => format!("**{number}**"),
+        _ => number.to_string(),
     }
 }

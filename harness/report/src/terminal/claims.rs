@@ -2,7 +2,7 @@
 //! summary of many sources their kinds, and the sources that an engine does not meet.
 
 use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
-use crate::claims::{Row, Standing};
+use crate::claims::{COLUMNS, Row, Standing, add};
 use crate::overview::Overview;
 use crate::text::visible;
 use std::collections::BTreeMap;
@@ -35,14 +35,32 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
         (true, false) => Some(Cell::left("kind")),
         (true, true) => Some(Cell::plain("sources")),
     };
+    let standings = || lines.iter().flat_map(|(_, standings)| standings);
+    // Differences and what is not supported have a column only where some claim has them.
+    let is_always_shown = |head| matches!(head, "passed" | "failed" | "open");
+    let columns = COLUMNS.into_iter();
+    let columns: Vec<_> = columns
+        .filter(|(head, count)| is_always_shown(*head) || standings().any(|standing| count(standing) > 0))
+        .collect();
     let mut table = Table::new([Cell::left("Claims")].into_iter().chain(second).collect());
     match &engines[..] {
-        [_] => of_one_engine(&mut table, &lines),
-        _ => of_several_engines(&mut table, &lines, &engines),
+        [_] => columns.iter().for_each(|(head, _)| table.head(Cell::plain(head))),
+        _ => engines
+            .iter()
+            .for_each(|engine| table.head(Cell::plain(visible(engine)))),
+    }
+    for (names, standings) in &lines {
+        let cells: Vec<Cell> = match &standings[..] {
+            [standing] => columns
+                .iter()
+                .map(|(head, count)| count_cell(head, count(standing)))
+                .collect(),
+            standings => standings.iter().map(standing_cell).collect(),
+        };
+        table.row(names.iter().cloned().chain(cells).collect());
     }
     table.write(out, around.width)?;
-    let mut standings = lines.iter().flat_map(|line| &line.standings);
-    if engines.len() != 1 && standings.any(|standing| standing.failed > 0) {
+    if engines.len() != 1 && standings().any(|standing| standing.failed > 0) {
         writeln!(out, "  {DIM}n/m: n of m cases came out as the source says{DIM:#}")?;
     }
     if left_out > 0 {
@@ -55,16 +73,11 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
     writeln!(out)
 }
 
-/// A row of the table.
-struct DocumentRow {
-    /// The first cells: the name, and what the run tells of its source.
-    names: Vec<Cell>,
-    /// The results of each engine.
-    standings: Vec<Standing>,
-}
+/// A row of the table: the first cells, with the name and what the run tells of its source, and the results of each engine.
+type ClaimLine = (Vec<Cell>, Vec<Standing>);
 
 /// Returns a line for each source, and below it those of its sections that an engine does not meet.
-fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<DocumentRow> {
+fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<ClaimLine> {
     let is_shown = |row: &&Row<'_>| row.sum || (row.failed() && !row.section.is_empty());
     let line = |row: &Row<'_>| {
         let mut names = vec![name(row, "  ")];
@@ -72,43 +85,32 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<DocumentRow> {
             let source = overview.source(row.source).filter(|_| row.sum);
             names.push(Cell::left(source.map_or("", |source| &source.kind)));
         }
-        DocumentRow {
-            names,
-            standings: row.standings.clone(),
-        }
+        (names, row.standings.clone())
     };
     rows.iter().filter(is_shown).map(line).collect()
 }
 
 /// Returns a line for each kind of source, and below it the first sources and sections that an engine does not meet; and the number of
 /// those that have no line.
-fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<DocumentRow>, usize) {
-    let kind = |row: &Row<'_>| overview.source(row.source).map_or("other", |source| &source.kind);
+fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<ClaimLine>, usize) {
     let mut kinds: BTreeMap<&str, Vec<&Row<'_>>> = BTreeMap::new();
-    rows.iter()
-        .for_each(|row| kinds.entry(kind(row)).or_default().push(row));
+    for row in rows {
+        let kind = overview.source(row.source).map_or("other", |source| &source.kind);
+        kinds.entry(kind).or_default().push(row);
+    }
     let mut lines = Vec::new();
     let mut named = 0;
     for (kind, rows) in kinds {
         let sources: Vec<&&Row<'_>> = rows.iter().filter(|row| row.sum).collect();
-        let mut standings = vec![Standing::default(); sources.first().map_or(0, |row| row.standings.len())];
-        for row in &sources {
-            let sums = standings.iter_mut();
-            sums.zip(&row.standings)
-                .for_each(|(sum, standing)| *sum += *standing);
-        }
-        lines.push(DocumentRow {
-            names: vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())],
-            standings,
-        });
+        let mut sums = vec![Standing::default(); sources.first().map_or(0, |row| row.standings.len())];
+        sources.iter().for_each(|row| add(&mut sums, &row.standings));
+        let names = vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())];
+        lines.push((names, sums));
         let failed = rows.iter().filter(|row| row.failed());
         for row in failed.filter(|row| row.sum || !row.section.is_empty()) {
             named += 1;
             if named <= MAX_NAMED {
-                lines.push(DocumentRow {
-                    names: vec![name(row, "    "), Cell::plain("")],
-                    standings: row.standings.clone(),
-                });
+                lines.push((vec![name(row, "    "), Cell::plain("")], row.standings.clone()));
             }
         }
     }
@@ -126,21 +128,9 @@ fn name(row: &Row<'_>, indent: &str) -> Cell {
     }
 }
 
-/// Adds engines as columns.
-fn of_several_engines(table: &mut Table, lines: &[DocumentRow], engines: &[&str]) {
-    engines
-        .iter()
-        .for_each(|engine| table.head(Cell::plain(visible(engine))));
-    for line in lines {
-        let standings = line.standings.iter();
-        let cells = standings.map(|standing| standing_cell(*standing));
-        table.row(line.names.iter().cloned().chain(cells).collect());
-    }
-}
-
 /// Formats an engine's results for a claim in one cell.
-fn standing_cell(standing: Standing) -> Cell {
-    let Standing { passed, failed, .. } = standing;
+fn standing_cell(standing: &Standing) -> Cell {
+    let Standing { passed, failed, .. } = *standing;
     match (passed + failed, failed) {
         (0, _) if standing.differs > 0 => Cell::styled("differs", DIM),
         (0, _) if standing.open > 0 => Cell::styled("open", DIM),
@@ -152,33 +142,11 @@ fn standing_cell(standing: Standing) -> Cell {
     }
 }
 
-/// Adds a column for each result; differences and what is not supported only where some claim has them.
-fn of_one_engine(table: &mut Table, lines: &[DocumentRow]) {
-    type Count = fn(&Standing) -> u64;
-    let columns: [(&str, Count); 6] = [
-        ("passed", |standing| standing.passed),
-        ("failed", |standing| standing.failed),
-        ("differs", |standing| standing.differs),
-        ("open", |standing| standing.open),
-        ("unsupported", |standing| standing.unsupported),
-        ("waiting", |standing| standing.waiting),
-    ];
-    let is_shown = |(head, count): &(&str, Count)| {
-        let mut standings = lines.iter().flat_map(|line| &line.standings);
-        !matches!(*head, "differs" | "unsupported" | "waiting")
-            || standings.any(|standing| count(standing) > 0)
-    };
-    let columns: Vec<(&str, Count)> = columns.into_iter().filter(is_shown).collect();
-    columns.iter().for_each(|(head, _)| table.head(Cell::plain(head)));
-    for line in lines {
-        if let [standing] = &line.standings[..] {
-            let cell = |(head, count): &(&str, Count)| match (*head, count(standing)) {
-                ("failed", 0) => Cell::styled("0", DIM),
-                ("failed", failed) => Cell::styled(failed, BAD),
-                (_, number) => Cell::plain(number),
-            };
-            let cells = columns.iter().map(cell);
-            table.row(line.names.iter().cloned().chain(cells).collect());
-        }
+/// Formats one number of an engine's results for a claim.
+fn count_cell(head: &str, number: u64) -> Cell {
+    match (head, number) {
+        ("failed", 0) => Cell::styled("0", DIM),
+        ("failed", failed) => Cell::styled(failed, BAD),
+        (_, number) => Cell::plain(number),
     }
 }

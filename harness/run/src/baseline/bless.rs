@@ -176,8 +176,9 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
         .verdicts
         .keys()
         .filter(|(id, dialect)| !known.contains(&(id.as_str(), *dialect)));
+    let left = fates.iter().filter(|fate| !matches!(fate, Fate::Removed(_)));
     Blessing {
-        entries: left(&fates) + added.len(),
+        entries: left.count() + added.len(),
         changes: changes(baseline, &fates, &added),
         strangers: strangers.count(),
         text: write::rewritten(text, baseline, &run.engine.name, &fates, &added),
@@ -275,14 +276,6 @@ fn added(run: &EngineRun, unexpected: Unexpected<'_, '_>, universe: &Universe<'_
     }
     added.sort_by(|a, b| (&a.folded[0].case, a.verdict).cmp(&(&b.folded[0].case, b.verdict)));
     added
-}
-
-fn left(fates: &[Fate]) -> usize {
-    let number = |fate: &Fate| match fate {
-        Fate::Kept | Fate::Undated | Fate::Narrowed(..) | Fate::Widened(..) => 1,
-        Fate::Removed(_) => 0,
-    };
-    fates.iter().map(number).sum()
 }
 
 fn changes(baseline: &Baseline, fates: &[Fate], added: &[Added]) -> Vec<EntryChange> {

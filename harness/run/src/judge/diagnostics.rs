@@ -9,20 +9,12 @@ use stickler_suite::{Expectation, ExpectedDiagnostic};
 /// The maximum number of unexpected diagnostics that are listed one by one; further ones are counted.
 const MAX_UNEXPECTED: usize = 50;
 
-/// A step of the merge walk.
-enum MergeStep<'a> {
-    /// A diagnostic that is expected and was given.
-    Met(ExpectedDiagnostic),
-    /// A diagnostic that was given and is not expected.
-    Unexpected(&'a Diagnostic),
-    /// A diagnostic that is expected and was not given.
-    Missing,
-}
+/// A step of the merge walk: a diagnostic that is expected, one that was given, or both, where the same was expected and given.
+type MergeStep<'a> = (Option<ExpectedDiagnostic>, Option<&'a Diagnostic>);
 
 /// The expected and the actual diagnostics side by side, by line and code.
 pub(super) struct DiagnosticMatching<'a> {
     steps: Vec<MergeStep<'a>>,
-    exact: bool,
     same_lines: bool,
 }
 
@@ -53,8 +45,8 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
     let mut got: Vec<&Diagnostic> = got.iter().collect();
     got.sort_by(|a, b| place(a).cmp(&place(b)));
     let same_lines = same_lines(&expected, &got);
-    let (mut wanted, mut found) = (expected.iter().peekable(), got.into_iter().peekable());
-    let mut steps = Vec::new();
+    let (mut wanted, mut found) = (expected.into_iter().peekable(), got.into_iter().peekable());
+    let mut steps: Vec<MergeStep<'_>> = Vec::new();
     loop {
         let order = match (wanted.peek(), found.peek()) {
             (None, None) => break,
@@ -62,23 +54,10 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
             (None, Some(_)) => Ordering::Greater,
             (Some(wanted), Some(found)) => (Some(wanted.line), Some(wanted.code.as_str())).cmp(&place(found)),
         };
-        let (wanted, found) = (
-            (order != Ordering::Greater).then(|| wanted.next()).flatten(),
-            (order != Ordering::Less).then(|| found.next()).flatten(),
-        );
-        match (wanted, found) {
-            (Some(&wanted), Some(_)) => steps.push(MergeStep::Met(wanted)),
-            (Some(_), None) => steps.push(MergeStep::Missing),
-            (None, Some(found)) => steps.push(MergeStep::Unexpected(found)),
-            (None, None) => break,
-        }
+        let wanted = wanted.next_if(|_| order != Ordering::Greater);
+        steps.push((wanted, found.next_if(|_| order != Ordering::Less)));
     }
-    let exact = steps.iter().all(|step| matches!(step, MergeStep::Met(_)));
-    DiagnosticMatching {
-        steps,
-        exact,
-        same_lines,
-    }
+    DiagnosticMatching { steps, same_lines }
 }
 
 /// Returns whether the actual facts of a rejection miss nothing of the expected ones but places or further mistakes: each expected
@@ -179,7 +158,8 @@ pub(super) fn warnings(
 impl DiagnosticMatching<'_> {
     /// Returns the grade of the rejection.
     pub(super) fn grade(&self) -> Grade {
-        match (self.exact, self.same_lines) {
+        let exact = self.steps.iter().all(|step| matches!(step, (Some(_), Some(_))));
+        match (exact, self.same_lines) {
             (true, _) => Grade::Code,
             (false, true) => Grade::Line,
             (false, false) => Grade::Rejected,
@@ -188,24 +168,24 @@ impl DiagnosticMatching<'_> {
 
     /// Adds the engine's diagnostics: a matched diagnostic as the expectation states it, any other with its message.
     pub(super) fn write(&self, findings: &mut Findings) {
-        let mut unexpected = 0;
-        for step in &self.steps {
-            match step {
-                MergeStep::Met(met) => findings.add(expected_fact(*met)),
-                MergeStep::Unexpected(diagnostic) => {
-                    unexpected += 1;
-                    if unexpected <= MAX_UNEXPECTED {
-                        findings.add(Fact::Diagnostic((*diagnostic).clone()));
-                    }
-                }
-                MergeStep::Missing => {}
+        let (mut given, mut unexpected) = (false, 0);
+        for (wanted, found) in &self.steps {
+            let Some(found) = found else { continue };
+            given = true;
+            if let Some(met) = wanted {
+                findings.add(expected_fact(*met));
+                continue;
+            }
+            unexpected += 1;
+            if unexpected <= MAX_UNEXPECTED {
+                findings.add(Fact::Diagnostic((*found).clone()));
             }
         }
         if unexpected > MAX_UNEXPECTED {
             let number = unexpected - MAX_UNEXPECTED;
             findings.add(Fact::MoreDiagnostics { number });
         }
-        if self.steps.iter().all(|step| matches!(step, MergeStep::Missing)) {
+        if !given {
             findings.add(Fact::RejectedSilently);
         }
     }

@@ -1,6 +1,6 @@
 //! The program that calls a function block or function which is judged.
 
-use crate::running::running;
+use crate::source_file::running;
 use anyhow::Context;
 use std::fmt::Write;
 use stickler_syntax::tree::{Pou, PouKind, SourceUnit, VariableGroup, VariableKind};

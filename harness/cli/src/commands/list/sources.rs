@@ -1,44 +1,65 @@
 //! `stickler list --sources`: the sources of the claims, and Stickler's own rules.
 
 use super::{BOLD, DIM, json_line};
-use serde::Serialize;
-use std::borrow::Cow;
+use crate::output::without_nulls;
+use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_suite::{Case, Source, SourceKind, Sources};
-use stickler_types::Relation;
 
 /// The sections of a source that cases cite, with the number of these cases.
 type Cited<'a> = BTreeMap<&'a str, Count>;
 
 /// The number of cases that cite something.
-#[derive(Clone, Copy, Default, Serialize)]
+#[derive(Clone, Copy, Default)]
 struct Count {
     asserted: usize,
     open: usize,
 }
 
-/// A source, or one of Stickler's own rules.
-#[derive(Serialize)]
+/// A source, or one of Stickler's own rules, for a list.
 struct SourceLine<'a> {
     /// The key of the source; for a rule, `rule: NAME`.
-    source: String,
-    title: String,
-    publisher: &'a str,
-    /// The relation of the publisher to what the source speaks of.
-    relation: Relation,
-    kind: &'static str,
-    /// The address of the source, at the section that most cases cite.
-    address: String,
-    read: Cow<'a, str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    since: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    until: Option<&'a str>,
-    engines: &'a [String],
-    dialects: Vec<&'static str>,
-    #[serde(flatten)]
+    name: String,
+    source: &'a Source,
+    /// The section that most cases cite.
+    section: &'a str,
     count: Count,
+}
+
+impl SourceLine<'_> {
+    fn title(&self) -> String {
+        self.source.title.replace("{section}", self.section)
+    }
+
+    fn dialects(&self) -> Vec<&'static str> {
+        let dialects = self.source.dialects_of(self.section);
+        dialects.iter().map(|dialect| dialect.as_str()).collect()
+    }
+
+    fn json(&self) -> Json {
+        let SourceLine {
+            name,
+            source,
+            section,
+            count,
+        } = self;
+        without_nulls(json!({
+            "source": name,
+            "title": self.title(),
+            "publisher": source.publisher,
+            "relation": source.relation,
+            "kind": source.kind.as_str(),
+            "address": source.address_of(section),
+            "read": source.read_of(section),
+            "since": source.versions.since,
+            "until": source.versions.until,
+            "engines": source.engines,
+            "dialects": self.dialects(),
+            "asserted": count.asserted,
+            "open": count.open,
+        }))
+    }
 }
 
 /// Writes every source, or those with these `names`, and every rule that a case rests on, with the number of these cases.
@@ -67,7 +88,7 @@ pub(in crate::commands) fn write(
         let sections = cited.remove(source.key.as_str()).unwrap_or_default();
         let lines = lines(source, &sections);
         match json {
-            true => lines.iter().try_for_each(|line| json_line(out, line))?,
+            true => lines.iter().try_for_each(|line| json_line(out, &line.json()))?,
             false => write_source(out, source, &lines)?,
         }
     }
@@ -75,28 +96,16 @@ pub(in crate::commands) fn write(
 }
 
 /// Returns a line for a source, or one for each of the rules and recordings that a case rests on.
-fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
-    let line = |name: String, section: &str, count: Count| SourceLine {
-        source: name,
-        title: source.title.replace("{section}", section),
-        publisher: &source.publisher,
-        relation: source.relation,
-        kind: source.kind.as_str(),
-        address: source.address_of(section),
-        read: source.read_of(section),
-        since: source.versions.since.as_deref(),
-        until: source.versions.until.as_deref(),
-        engines: &source.engines,
-        dialects: source
-            .dialects_of(section)
-            .iter()
-            .map(|dialect| dialect.as_str())
-            .collect(),
+fn lines<'a>(source: &'a Source, sections: &Cited<'a>) -> Vec<SourceLine<'a>> {
+    let line = |name: String, section: &'a str, count: Count| SourceLine {
+        name,
+        source,
+        section,
         count,
     };
     if source.is_built_in() {
         let rules = sections.iter();
-        let rule = |(rule, count): (&&str, &Count)| line(format!("{}: {rule}", source.key), rule, *count);
+        let rule = |(rule, count): (&&'a str, &Count)| line(format!("{}: {rule}", source.key), rule, *count);
         return rules.map(rule).collect();
     }
     let most = sections.iter().max_by_key(|(_, count)| count.asserted);
@@ -121,34 +130,36 @@ fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) 
         for line in lines {
             let open = if line.count.open > 0 { " open" } else { "" };
             let cases = line.count.asserted + line.count.open;
-            writeln!(out, "{cases:>8}{open}  {}", line.address)?;
+            writeln!(out, "{cases:>8}{open}  {}", source.address_of(line.section))?;
         }
         return Ok(());
     }
     for line in lines {
-        writeln!(
-            out,
-            "{BOLD}{}{BOLD:#}  {}: {}",
-            line.source, line.publisher, line.title
-        )?;
+        let (name, title) = (&line.name, line.title());
+        writeln!(out, "{BOLD}{name}{BOLD:#}  {}: {title}", source.publisher)?;
         writeln!(
             out,
             "{:>8}  {}, read {}{}{}",
             line.count.asserted,
-            line.relation.with_kind(line.kind),
-            line.read,
-            limits(line),
+            source.relation.with_kind(source.kind.as_str()),
+            source.read_of(line.section),
+            limits(source),
             speaks_for(line)
         )?;
-        writeln!(out, "          {DIM}{}{DIM:#}", line.address)?;
+        let address = source.address_of(line.section);
+        writeln!(out, "          {DIM}{address}{DIM:#}")?;
     }
     writeln!(out)
 }
 
 /// Returns the words that say with which versions the claims of a source begin and end.
-fn limits(line: &SourceLine<'_>) -> String {
-    let end = |word, end: Option<&str>| end.map_or_else(String::new, |end| format!(", {word} {end}"));
-    end("since", line.since) + &end("until", line.until)
+fn limits(source: &Source) -> String {
+    let end = |word, end: &Option<String>| {
+        end.iter()
+            .map(|end| format!(", {word} {end}"))
+            .collect::<String>()
+    };
+    end("since", &source.versions.since) + &end("until", &source.versions.until)
 }
 
 /// Returns the words that say for whom a source speaks; none for a standard, which speaks for all.
@@ -157,6 +168,6 @@ fn speaks_for(line: &SourceLine<'_>) -> String {
         true => String::new(),
         false => format!("; {what} {}", names.join(" ")),
     };
-    let engines: Vec<&str> = line.engines.iter().map(String::as_str).collect();
-    part("speaks for", &line.dialects) + &part("binds", &engines)
+    let engines: Vec<&str> = line.source.engines.iter().map(String::as_str).collect();
+    part("speaks for", &line.dialects()) + &part("binds", &engines)
 }

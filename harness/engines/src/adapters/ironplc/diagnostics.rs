@@ -6,7 +6,7 @@
 use crate::Diagnostic;
 use crate::adapters::Compiler;
 use crate::adapters::codes::{CodeMeaning, sorted};
-use crate::adapters::plain::without_colours;
+use crate::adapters::locate::without_colours;
 
 /// Returns all diagnostics of a text, sorted by line, column and code, each once. One whose place the compiler does not tell
 /// has no line.

@@ -5,8 +5,8 @@
 
 use crate::RunRequest;
 use crate::adapters::Compiler;
-use crate::adapters::builder::Language;
-use crate::adapters::driver::{DrivenProgram, Driver};
+use crate::adapters::builder::C;
+use crate::adapters::driver::{DrivenProgram, Driver, clock};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words_of};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
@@ -57,7 +57,7 @@ pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r
     };
     let subjects = subjects.iter().zip(&instances);
     Ok(Driver {
-        language: Language::C,
+        language: &C,
         head: format!("{HEADER}\n{translated}\n{memory}"),
         programs: subjects
             .map(|(subject, instance)| driven(subject, instance, own.is_some()))
@@ -125,7 +125,7 @@ fn driven<'r>(
     let observed = request.observe.iter().zip(&kinds);
     Ok(DrivenProgram {
         request: *request,
-        before: before(request),
+        before: clock(request, set_clock),
         after: observed
             .map(|(asked, kind)| {
                 let variable = place(instance, probes.variable(asked), request);
@@ -220,21 +220,10 @@ fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
 }
 
-/// Returns the statements before scans, which advance the clock, each with the number of its scan.
-fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
-    let clock = request.clock.iter().map(|step| {
-        let (seconds, rest) = split(step.nanoseconds);
-        (
-            step.before,
-            format!("__CURRENT_TIME = (TIME){{{seconds}, {rest}}};"),
-        )
-    });
-    clock.collect()
-}
-
-/// Splits a duration into seconds and nanoseconds of the same sign.
-fn split(nanoseconds: i64) -> (i64, i64) {
-    (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
+/// Returns the statement that sets the clock, in seconds and nanoseconds of the same sign.
+fn set_clock(nanoseconds: i64) -> String {
+    let (seconds, rest) = (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000);
+    format!("__CURRENT_TIME = (TIME){{{seconds}, {rest}}};")
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use crate::adapters::rounds::{self, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::borrow::Cow;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// A program that may stand among others.
 struct PackMember<'r> {
@@ -108,13 +108,13 @@ impl Joined {
 
     /// Returns the outcomes of all members with the warnings about each.
     fn with_warnings(&self, outcomes: Vec<Outcome>, warnings: Vec<Diagnostic>) -> Vec<Outcome> {
-        let mut own: Vec<Vec<Diagnostic>> = self.members.iter().map(|_| Vec::new()).collect();
+        let mut own: BTreeMap<usize, Vec<Diagnostic>> = BTreeMap::new();
         for (number, warning) in warnings.into_iter().filter_map(|warning| self.original(warning)) {
-            own[number].push(warning);
+            own.entry(number).or_default().push(warning);
         }
-        let outcomes = outcomes.into_iter().zip(own);
+        let outcomes = outcomes.into_iter().enumerate();
         outcomes
-            .map(|(outcome, own)| outcome.with_warnings(own))
+            .map(|(number, outcome)| outcome.with_warnings(own.remove(&number).unwrap_or_default()))
             .collect()
     }
 
@@ -134,7 +134,7 @@ impl Joined {
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Matiec, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let taken = adapter.taken();
+    let taken = &adapter.taken;
     let member = |place, request| PackMember::of(place, request, taken);
     rounds::pack(
         requests,
@@ -190,43 +190,28 @@ fn run_round(
 fn refused(members: &[PackMember<'_>], joined: &Joined, stderr: &str) -> Round {
     let (diagnostics, _) = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);
-    let mut mistakes: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
+    let mut mistakes: BTreeMap<usize, Vec<Diagnostic>> = BTreeMap::new();
     for diagnostic in diagnostics {
         let Some((number, original)) = joined.original(diagnostic) else {
             return Round::nothing();
         };
-        mistakes[number].push(original);
+        mistakes.entry(number).or_default().push(original);
     }
     if complete {
-        return rejected(members, mistakes);
+        // A program with probe variables has to be run alone, since the mistake may be in these.
+        let known = mistakes
+            .into_iter()
+            .map(|(number, mistakes)| match members[number].probes.list() {
+                [] => (number, Packed::Answered(diagnostics::rejected(mistakes))),
+                _ => (number, Packed::Alone),
+            });
+        return Round::TakenOut(known.collect());
     }
-    let mut suspects = BTreeSet::new();
-    for (number, mistakes) in mistakes
-        .iter()
-        .enumerate()
-        .filter(|(_, mistakes)| !mistakes.is_empty())
-    {
-        suspects.insert(number);
-        // A mistake at the beginning of a program may come from the end of the one before.
-        if number > 0 && mistakes.iter().any(|mistake| mistake.line == Some(1)) {
-            suspects.insert(number - 1);
-        }
-    }
-    Round::alone(suspects)
-}
-
-/// Removes the programs that are rejected, by the diagnostics of each. A program with probe variables has to be run alone,
-/// since the mistake may be in the probe variables.
-fn rejected(members: &[PackMember<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round {
-    let mistakes = mistakes
-        .into_iter()
-        .enumerate()
-        .filter(|(_, mistakes)| !mistakes.is_empty());
-    let known = mistakes.map(|(number, mistakes)| match members[number].probes.list() {
-        [] => (number, Packed::Answered(diagnostics::rejected(mistakes))),
-        _ => (number, Packed::Alone),
-    });
-    Round::TakenOut(known.collect())
+    // A mistake at the beginning of a program may come from the end of the one before.
+    let begins = |mistakes: &[Diagnostic]| mistakes.iter().any(|mistake| mistake.line == Some(1));
+    let before = mistakes.iter().filter(|(_, mistakes)| begins(mistakes));
+    let before = before.filter_map(|(number, _)| number.checked_sub(1));
+    Round::alone(mistakes.keys().copied().chain(before).collect())
 }
 
 /// Returns the programs that a C compiler names in its errors, or in whose part of these files the errors are.

@@ -3,7 +3,7 @@
 use super::FUNCTIONS;
 use super::program::PackedProgram;
 use crate::adapters::described::DiagnosticPattern;
-use crate::adapters::plain::without_colours;
+use crate::adapters::locate::without_colours;
 use crate::adapters::{Compiler, codes};
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};

@@ -8,7 +8,7 @@
 
 use super::program::PackedProgram;
 use crate::adapters::Compiler;
-use crate::adapters::builder::Language;
+use crate::adapters::builder::C;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use std::collections::BTreeMap;
@@ -36,7 +36,7 @@ impl<'r> RustyDriver<'r> {
         let first = programs.first().map_or("", |first| &first.file);
         let initialise = format!("__init___{}", first.replace('.', "_"));
         let mut driver = Driver {
-            language: Language::C,
+            language: &C,
             head: format!("{HEADER}#include <time.h>\n\n__attribute__((weak)) void {initialise}(void);\n\n"),
             programs: Vec::with_capacity(programs.len()),
             compiler: Compiler::Rusty,

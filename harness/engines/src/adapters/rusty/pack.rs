@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Rusty, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let taken = adapter.taken();
+    let taken = &adapter.taken;
     let member = |place, request| PackedProgram::among_others(request, place, taken);
     rounds::pack(
         requests,
@@ -73,8 +73,8 @@ fn broken_off(outcome: &Outcome, programs: &[PackedProgram<'_>]) -> Round {
 
 /// Removes the programs that the compiler does not accept.
 fn refused(programs: &[PackedProgram<'_>], driver: &RustyDriver<'_>, found: Vec<LocatedDiagnostic>) -> Round {
-    let mut mistakes: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
-    let mut alone = BTreeSet::new();
+    let mut mistakes: BTreeMap<usize, Vec<Diagnostic>> = BTreeMap::new();
+    let mut known: BTreeMap<usize, Packed> = BTreeMap::new();
     for (about, diagnostic) in found {
         let number = match about {
             ErrorPart::Program(place) => programs.iter().position(|program| program.place == place),
@@ -85,21 +85,17 @@ fn refused(programs: &[PackedProgram<'_>], driver: &RustyDriver<'_>, found: Vec<
             return Round::nothing();
         };
         match about {
-            ErrorPart::Program(_) => mistakes[number].push(programs[number].original(diagnostic)),
-            _ => {
-                alone.insert(number);
+            ErrorPart::Program(_) => {
+                let original = programs[number].original(diagnostic);
+                mistakes.entry(number).or_default().push(original);
             }
+            _ => _ = known.insert(number, Packed::Alone),
         }
     }
     // The functions that show the variables of a program with errors have errors, too: a rejection replaces the suspicion.
-    let mut known: BTreeMap<usize, Packed> =
-        alone.into_iter().map(|number| (number, Packed::Alone)).collect();
-    let mistakes = mistakes
-        .into_iter()
-        .enumerate()
-        .filter(|(_, mistakes)| !mistakes.is_empty());
+    let rejections = mistakes.into_iter();
     known.extend(
-        mistakes.map(|(number, mistakes)| (number, Packed::Answered(rejected(mistakes.into_iter())))),
+        rejections.map(|(number, mistakes)| (number, Packed::Answered(rejected(mistakes.into_iter())))),
     );
     Round::TakenOut(known)
 }

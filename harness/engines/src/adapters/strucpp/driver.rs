@@ -6,8 +6,8 @@
 
 use crate::RunRequest;
 use crate::adapters::Compiler;
-use crate::adapters::builder::Language;
-use crate::adapters::driver::{DrivenProgram, Driver};
+use crate::adapters::builder::CPP;
+use crate::adapters::driver::{DrivenProgram, Driver, clock};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::own_configuration;
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
@@ -58,7 +58,7 @@ pub(super) fn driver<'r>(subjects: &[&StrucppSubject<'r>]) -> Driver<'r> {
     let programs = subjects.iter().enumerate();
     let programs = programs.map(|(number, subject)| driven(subject, number, is_alone));
     Driver {
-        language: Language::Cpp,
+        language: &CPP,
         head,
         programs: programs.collect(),
         compiler: Compiler::Strucpp,
@@ -87,7 +87,7 @@ fn driven<'r>(subject: &StrucppSubject<'r>, number: usize, is_alone: bool) -> Dr
             ),
         },
         start: Vec::new(),
-        before: before(request),
+        before: clock(request, |time| format!("strucpp::__CURRENT_TIME_NS = {time}LL;")),
         scan: "program.run();".to_owned(),
         after: observed
             .map(|(asked, kind)| {
@@ -134,19 +134,6 @@ fn instance(request: &RunRequest<'_>, program: &str) -> String {
 /// Returns the C++ expression for the value of a variable of the program.
 fn place(variable: &str) -> String {
     format!("value_of(program.{}, 0)", variable.to_ascii_uppercase())
-}
-
-/// Returns the statements before scans, which advance the clock, each with the number of its scan.
-fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
-    let clock = request.clock.iter();
-    clock
-        .map(|step| {
-            (
-                step.before,
-                format!("strucpp::__CURRENT_TIME_NS = {}LL;", step.nanoseconds),
-            )
-        })
-        .collect()
 }
 
 #[cfg(test)]

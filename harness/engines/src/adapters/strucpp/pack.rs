@@ -22,7 +22,7 @@ pub(super) fn run(adapter: &Strucpp, workplace: &Workplace<'_>, requests: &[RunR
     let mut members = Vec::with_capacity(requests.len());
     for (place, request) in requests.iter().enumerate() {
         match adapter.accepted(request) {
-            Ok(accepted) if declared(request, adapter.taken(), false).is_some() => {
+            Ok(accepted) if declared(request, &adapter.taken, false).is_some() => {
                 members.push((place, accepted));
             }
             Ok(_) => {}
