@@ -38,16 +38,20 @@ pub struct PlainExported {
     pub without: BTreeMap<&'static str, usize>,
 }
 
-/// Writes cases into a folder, which is empty or does not exist yet.
+/// Writes cases into a folder, which is empty, does not exist yet, or has an earlier export of this kind, which is replaced.
 ///
 /// # Errors
 /// [`ExportError::Occupied`] before anything is written; [`ExportError::Write`].
 pub fn export_plain(cases: &[&Case], sources: &Sources, folder: &Path) -> Result<PlainExported, ExportError> {
-    if is_occupied(folder)? {
-        return Err(ExportError::Occupied(folder.to_owned(), String::new()));
+    let (schema, programs) = (folder.join(SCHEMA), folder.join(PROGRAMS));
+    if is_occupied(folder)? && !schema.is_file() {
+        let other = format!(" and holds no earlier export of cases (there is no {SCHEMA} in it)");
+        return Err(ExportError::Occupied(folder.to_owned(), other));
+    }
+    if programs.is_dir() {
+        fs::remove_dir_all(&programs).map_err(writing(&programs))?;
     }
     create(folder)?;
-    let schema = folder.join(SCHEMA);
     fs::write(&schema, include_str!("plain/cases.schema.json")).map_err(writing(&schema))?;
     let lines = folder.join(CASES);
     let mut out = BufWriter::new(File::create(&lines).map_err(writing(&lines))?);

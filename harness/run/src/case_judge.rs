@@ -194,7 +194,10 @@ fn with_diagram(case: &Case) -> String {
         return case.source.to_string();
     }
     let diagram = case.timing_diagram(1..=case.scans.clamp(1, MAX_SCANS));
-    format!("{}\n(* What is set and must come by scan:\n{diagram}*)\n", case.source.trim_end())
+    format!(
+        "{}\n(* What is set and must come by scan:\n{diagram}*)\n",
+        case.source.trim_end()
+    )
 }
 
 /// Returns whether a report shows the program: the engine did not do what was expected of it, be that known or not.

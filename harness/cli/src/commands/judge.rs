@@ -54,6 +54,7 @@ pub fn execute(arguments: &JudgeArguments, out: &mut dyn Write) -> anyhow::Resul
     if !arguments.json {
         let traces = counted(judge.traces, "trace", "traces");
         match judge.failed {
+            _ if judge.traces == 0 => writeln!(out, "no trace was judged")?,
             0 => writeln!(out, "{traces}: all as expected")?,
             failed => writeln!(
                 out,
@@ -131,11 +132,14 @@ impl Judge<'_, '_> {
                 false => result.write(self.arguments.batch.is_some(), out)?,
             }
         }
-        for Used { name, stated, open } in basis.iter().filter(|used| used.open > 0 && !self.arguments.json) {
+        if !basis.is_empty() && !self.arguments.json {
+            let of = |Used { name, stated, open }: &Used| format!("{name} {stated} of {}", stated + open);
+            let rests: Vec<String> = basis.iter().map(of).collect();
             writeln!(
                 out,
-                "note: {name}: sources state {stated} of {} results that the suite asks of it; of the others the reference chooses",
-                stated + open
+                "note: results that a source states in {}, of those that Stickler knows to ask: {}; the others are choices of the reference",
+                self.arguments.dialect,
+                rests.join(", ")
             )?;
         }
         Ok(exit)

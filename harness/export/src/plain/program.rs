@@ -45,6 +45,9 @@ fn head(case: &Case, sources: &Sources) -> String {
     if let Some((source, section)) = sources.of(&case.basis) {
         // Writing into a String does not fail.
         let _ = write!(head, ", {}", source.address_of(section));
+        if !source.speaks_for(section, case.dialect) {
+            head.push_str("\n            (the document of another system, which binds none of this dialect)");
+        }
     }
     let facts = Fact::text(&expected_facts(case));
     for (number, fact) in facts.lines().enumerate() {

@@ -53,8 +53,14 @@ fn the_files_alone_give_the_verdicts_of_the_suite() {
         }
     }
     assert_eq!(tried, exported.programs);
-    let again = export_plain(&cases, &suite.sources, &into);
-    assert!(matches!(again, Err(ExportError::Occupied(..))), "{again:?}");
+    assert_eq!(
+        export_plain(&[], &suite.sources, &into).expect("replaced").cases,
+        0
+    );
+    assert!(!into.join(PROGRAMS).exists());
+    fs::remove_file(into.join(SCHEMA)).expect("removed");
+    let into_another = export_plain(&cases, &suite.sources, &into);
+    assert!(matches!(into_another, Err(ExportError::Occupied(..))));
 }
 
 /// Asserts that a file alone tells what the case expects, and that the reference does it.

@@ -161,7 +161,7 @@ fn similar<'n>(
     let mut near: Vec<_> = known
         .filter(|other| other.may_be_similar(wanted, allowed))
         .filter_map(|other| Some((distance(name, other.name)?, other.name)))
-        .filter(|&(changes, other)| changes <= allowed && exists(other))
+        .filter(|&(changes, other)| changes > 0 && changes <= allowed && exists(other))
         .collect();
     near.sort_unstable();
     near.dedup();

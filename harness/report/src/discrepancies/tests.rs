@@ -52,7 +52,8 @@ fn pages_in_prose_have_no_text_of_a_program() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut cause = sample::cause("`into := 1` is accepted", 3, Verdict::Fail);
     cause.shown.program = "PROGRAM main into := 1; END_PROGRAM".to_owned();
-    let events = sample::with_causes(sample::run_of(Vec::new()), [cause]);
+    let case = failing("t::a(1)", &cause.shown.program, value("into", "INT#1"));
+    let events = sample::with_causes(sample::run_of(vec![case]), [cause]);
     let mut pages = Discrepancies::create(folder.path(), true).expect("a folder");
     events.iter().for_each(|event| pages.take(event));
     pages.finish(&sample::overview(&events)).expect("pages");

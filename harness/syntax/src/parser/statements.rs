@@ -116,10 +116,10 @@ impl<'s> Parser<'s, '_> {
             self.unsupported_statement()?;
             if self.at_word("JMP") && self.nth(1) == TokenKind::Name {
                 let word = self.bump().span;
-                return self.label(word).map(StatementKind::Jump);
+                return self.label(word, "JMP").map(StatementKind::Jump);
             }
             if self.at_label() {
-                let label = self.label(self.token().span).map(StatementKind::Label);
+                let label = self.label(self.token().span, "NAME:").map(StatementKind::Label);
                 self.bump();
                 return label;
             }
@@ -154,14 +154,14 @@ impl<'s> Parser<'s, '_> {
             Name => {
                 matches!(self.nth(3), Assign | LeftParen | LeftBracket | Dot | Colon | Name)
             }
-            kind => kind == Semicolon || kind.opens_statement(),
+            kind => kind == Semicolon || kind.opens_statement() || kind.ends_statements(),
         };
         self.nth(1) == Colon && is_statement
     }
 
-    /// The name of a label; `word` is the place at which a dialect that has none is told.
-    fn label(&mut self, word: Span) -> ParseResult<ExpressionId> {
-        let has = self.has("jump", word, word.text(self.text));
+    /// The name of a label; at `place` a dialect that has none is told of `what`.
+    fn label(&mut self, place: Span, what: &str) -> ParseResult<ExpressionId> {
+        let has = self.has("jump", place, what);
         let name = self.name("a label")?;
         let id = self.push(ExpressionKind::Name(name), name.span);
         if has { Ok(id) } else { Err(Broken) }

@@ -4,20 +4,22 @@
 use crate::case_folder::CaseFolder;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use stickler_conversions::overview::boundary_calls;
+use stickler_exact::{expected, signatures};
 use stickler_reference::has_block;
 use stickler_reference::semantics::is_standard_function;
 use stickler_syntax::names::{UseKind, used};
-use stickler_types::Question;
 use stickler_types::{Dialect, DialectName};
 
-/// A standard function or function block, and the cases that ask for it in the dialect.
+/// A standard function or function block, and what is known of its results in the dialect: those of a conversion function for the boundary values
+/// of its types, of others the cases that use them.
 #[derive(Clone, Serialize)]
 pub(super) struct Used {
     /// The name in capitals.
     pub name: String,
-    /// The number of cases of which a source states what must come.
+    /// The number of results that a source states.
     pub stated: usize,
-    /// The number of cases of which no source does, so that the reference has a choice of its own.
+    /// The number of results that no source states, so that the reference has a choice of its own.
     pub open: usize,
 }
 
@@ -66,19 +68,25 @@ impl Basis {
             stated: 0,
             open: 0,
         };
-        let suite = self.cases.as_ref().map(|folder| folder.load_mentioning(&name));
+        let mut count = |is_stated: bool| match is_stated {
+            true => found.stated += 1,
+            false => found.open += 1,
+        };
+        let standard = Dialect::of(self.dialect)
+            .standard_name(&name)
+            .to_ascii_uppercase();
+        let conversions = signatures(&standard, self.dialect);
+        for signature in &conversions {
+            for operands in boundary_calls(signature) {
+                let basis = expected(signature, &operands, self.dialect).basis;
+                count(basis.is_some_and(|basis| !basis.starts_with("rule:")));
+            }
+        }
+        let suite = self.cases.as_ref().filter(|_| conversions.is_empty());
+        let suite = suite.map(|folder| folder.load_mentioning(&name));
         for case in suite.iter().flat_map(|suite| &suite.cases) {
-            let asks = match case.question.as_deref() {
-                Some(Question::Call(call)) => call.function == name,
-                _ => mentions(&case.source, &name),
-            };
-            if asks && case.dialect == self.dialect {
-                let count = if case.is_open() {
-                    &mut found.open
-                } else {
-                    &mut found.stated
-                };
-                *count += 1;
+            if case.dialect == self.dialect && mentions(&case.source, &name) {
+                count(!case.is_open());
             }
         }
         self.known.insert(name, found.clone());

@@ -90,6 +90,10 @@ impl Trace {
                     }));
             }
         }
+        ensure!(
+            !request.expected.is_empty(),
+            "the trace expects nothing: `expected`, or a column `expect NAME`, says what must come out"
+        );
         Ok(request)
     }
 
@@ -170,7 +174,11 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Trace>> {
 
 /// Reads a table with a row a scan.
 fn table(text: &str) -> anyhow::Result<Trace> {
+    // Spreadsheets of many countries separate the cells by semicolons.
+    let head = text.lines().next().unwrap_or_default();
+    let delimiter = if head.contains(';') { b';' } else { b',' };
     let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter)
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
     let names: Vec<String> = reader.headers()?.iter().map(str::to_owned).collect();

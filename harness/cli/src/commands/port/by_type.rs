@@ -289,6 +289,10 @@ impl<'s> Typed<'s> {
         let dialects = self.dialects;
         let basis = |at: usize| self.basis(&operation.function, given, results[at].as_ref()?, dialects[at]);
         let basis = dialects.iter().any(has).then(|| [0, 1].map(basis));
+        if basis == Some([None, None]) {
+            // What no source states of either system is no difference between them.
+            return None;
+        }
         let what = match operation.places[..] {
             [(id, _)] if id == operation.id => format!("{} as {to}", self.text_of(id)),
             _ => self.text_of(operation.id).to_owned(),
