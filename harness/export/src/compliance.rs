@@ -16,7 +16,7 @@ use stickler_conversions::{FunctionSession, Refusal};
 use stickler_engines::Engine;
 use stickler_report::{html_page, html_text, markdown_text};
 use stickler_run::RunError;
-use stickler_suite::{Feature, Suite};
+use stickler_suite::{Feature, SourceKind, Suite};
 use stickler_types::DialectName;
 use stickler_workers::WorkerPool;
 
@@ -70,7 +70,7 @@ impl ComplianceStatement {
     pub fn gather(plan: &CompliancePlan<'_>) -> Result<Option<ComplianceStatement>, RunError> {
         let measured = match plan.engine.map(Engine::identity) {
             Some(identity) => format!("measured on {} {}", identity.name, identity.version),
-            None => "by its documents, not measured".to_owned(),
+            None => "as it declares, not measured".to_owned(),
         };
         let mut statement = ComplianceStatement {
             title: format!("Compliance statement: {}", plan.dialect.rules().title),
@@ -108,6 +108,8 @@ impl ComplianceStatement {
         let features: Vec<&Feature> = rows.values().flatten().copied().collect();
         let mut measured = MeasuredFeatures::ask(plan, &features)?;
         let mut last = None;
+        let head: &'static [&'static str] = &["No.", "feature", "declared", "source", "measured", "example"];
+        let head = if plan.engine.is_some() { head } else { &head[..4] };
         for ((table, number), features) in rows {
             if last.replace(table) != Some(table) {
                 let title = titles
@@ -116,7 +118,7 @@ impl ComplianceStatement {
                 self.sections.push(Section {
                     title: format!("Table {}: {}", numbered(table), title.map_or("", |title| title)),
                     text: "",
-                    head: &["No.", "feature", "declared", "source", "measured", "example"],
+                    head,
                     rows: Vec::new(),
                 });
             }
@@ -125,8 +127,18 @@ impl ComplianceStatement {
                 let (word, example) = measured.take(&feature.key);
                 self.differs |= word == "differs" || declared == "has" && word == "lacks";
                 let source = declared_by(feature, plan.dialect, plan.suite).unwrap_or_default();
+                let is_standard = plan
+                    .suite
+                    .sources
+                    .of(&source)
+                    .is_some_and(|(source, _)| source.kind == SourceKind::Standard);
+                let declared = match declared == "has" && is_standard {
+                    true => "has, as a feature of its edition",
+                    false => declared,
+                };
                 let [title, declared, word] = [&feature.title, declared, word].map(str::to_owned);
-                let row = vec![numbered(number), title, declared, source, word, example];
+                let mut row = vec![numbered(number), title, declared, source, word, example];
+                row.truncate(head.len());
                 self.sections
                     .last_mut()
                     .into_iter()
@@ -287,6 +299,13 @@ impl ComplianceStatement {
     }
 }
 
+/// Writes a text, and the pieces of programs between its backquotes, each in its way.
+fn with_code(text: &str, plain: impl Fn(&str) -> String, code: impl Fn(&str) -> String) -> String {
+    let pieces = text.split('`').enumerate();
+    let written = pieces.map(|(at, piece)| if at % 2 == 0 { plain(piece) } else { code(piece) });
+    written.collect()
+}
+
 impl Section {
     // Writing into a String does not fail.
     fn markdown(&self) -> String {
@@ -301,7 +320,11 @@ impl Section {
             "---|".repeat(self.head.len())
         );
         for row in &self.rows {
-            let cells: Vec<String> = row.iter().map(|cell| markdown_text(cell)).collect();
+            let code = |piece: &str| format!("`{}`", piece.replace('|', "\\|"));
+            let cells: Vec<String> = row
+                .iter()
+                .map(|cell| with_code(cell, markdown_text, code))
+                .collect();
             let _ = writeln!(text, "| {} |", cells.join(" | "));
         }
         text
@@ -309,7 +332,8 @@ impl Section {
 
     fn html(&self) -> String {
         let cells = |cells: &mut dyn Iterator<Item = &str>, tag: &str| {
-            let cells = cells.map(|cell| format!("<{tag}>{}</{tag}>", html_text(cell)));
+            let code = |piece: &str| format!("<code>{}</code>", html_text(piece));
+            let cells = cells.map(|cell| format!("<{tag}>{}</{tag}>", with_code(cell, html_text, code)));
             format!("<tr>{}</tr>\n", cells.collect::<String>())
         };
         let rows = self
