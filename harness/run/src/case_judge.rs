@@ -187,16 +187,19 @@ fn tells_nothing(passed: &Judgement) -> bool {
         || (passed.expected == [Fact::AcceptedOrRejected] && passed.got == [Fact::Accepted])
 }
 
-/// Returns the program of a case; behind one of several scans stands a comment with its timing diagram.
+/// Returns the program of a case; where it sets or expects something in certain scans, a comment with the timing diagram of the first ones is behind it.
 fn with_diagram(case: &Case) -> String {
     const MAX_SCANS: u32 = 48;
     if !case.has_timing() {
         return case.source.to_string();
     }
-    let diagram = case.timing_diagram(1..=case.scans.clamp(1, MAX_SCANS));
+    let last = case.scans.clamp(1, MAX_SCANS);
+    // A text may have the end of a comment in it.
+    let diagram = case.timing_diagram(1..=last).replace("*)", "* )");
+    let source = case.source.trim_end();
     format!(
-        "{}\n(* What is set and must come by scan:\n{diagram}*)\n",
-        case.source.trim_end()
+        "{source}\n(* What is set and must come in scans 1 to {last} of {}:\n{diagram}*)\n",
+        case.scans
     )
 }
 

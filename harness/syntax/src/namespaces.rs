@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 /// The most namespaces that USING makes known in one namespace, since each name may be looked for in all of them.
 ///
 /// Basis: harness/README.md (depth, size and step limits turn hostile input into a diagnostic).
-const MAX_USED: usize = 64;
+const MAX_IMPORTS: usize = 64;
 
 /// The number of a namespace of a text; 0 is what stands outside of all.
 pub type NamespaceId = u32;
@@ -28,9 +28,10 @@ pub struct Namespaces<'s> {
 
 #[derive(Debug, Default)]
 struct Namespace<'s> {
-    around: Option<NamespaceId>,
-    inner: FxHashMap<CaseFolded<'s>, NamespaceId>,
-    used: Vec<NamespaceId>,
+    parent: Option<NamespaceId>,
+    children: FxHashMap<CaseFolded<'s>, NamespaceId>,
+    /// The namespaces behind USING.
+    imports: Vec<NamespaceId>,
 }
 
 /// What a name means where it stands.
@@ -73,7 +74,7 @@ impl<'s> Namespaces<'s> {
                     open.push(here);
                     let mut at = here;
                     for part in name.text.split('.') {
-                        at = namespaces.inner(at, part);
+                        at = namespaces.child(at, part);
                     }
                     namespaces.changes.push((name.span.start, at));
                 }
@@ -92,7 +93,7 @@ impl<'s> Namespaces<'s> {
             }
         }
         for (at, name) in using {
-            namespaces.make_known(at, name);
+            namespaces.import(at, name);
         }
         namespaces
     }
@@ -102,34 +103,34 @@ impl<'s> Namespaces<'s> {
     }
 
     /// Returns the namespace of a name in another one, which is made where there is none.
-    fn inner(&mut self, around: NamespaceId, name: &'s str) -> NamespaceId {
-        if let Some(known) = self.node(around).inner.get(&CaseFolded(name)) {
+    fn child(&mut self, parent: NamespaceId, name: &'s str) -> NamespaceId {
+        if let Some(known) = self.node(parent).children.get(&CaseFolded(name)) {
             return *known;
         }
-        let id = self.add(around);
-        self.node_mut(around).inner.insert(CaseFolded(name), id);
+        let id = self.add(parent);
+        self.node_mut(parent).children.insert(CaseFolded(name), id);
         id
     }
 
     /// Adds a namespace without a name.
-    fn add(&mut self, around: NamespaceId) -> NamespaceId {
+    fn add(&mut self, parent: NamespaceId) -> NamespaceId {
         self.nodes.push(Namespace {
-            around: Some(around),
+            parent: Some(parent),
             ..Namespace::default()
         });
         // There are fewer namespaces than bytes in a text, which 32 bits count.
         (self.nodes.len() - 1) as u32
     }
 
-    fn make_known(&mut self, at: NamespaceId, name: Name<'s>) {
+    fn import(&mut self, at: NamespaceId, name: Name<'s>) {
         let Some(used) = self.named(name) else {
             return self.refused.push((name, "is no namespace of the text"));
         };
-        let known = &mut self.node_mut(at).used;
+        let known = &mut self.node_mut(at).imports;
         if known.contains(&used) {
             return;
         }
-        match known.len() < MAX_USED {
+        match known.len() < MAX_IMPORTS {
             true => known.push(used),
             false => self
                 .refused
@@ -145,13 +146,13 @@ impl<'s> Namespaces<'s> {
         &mut self.nodes[id as usize]
     }
 
-    /// Returns whether the text has none.
+    /// Returns whether the text has no namespaces and no USING in the head of a unit.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.len() == 1
     }
 
-    /// Returns the namespace to which what stands at a place belongs.
+    /// Returns the namespace that contains a position.
     #[must_use]
     pub fn at(&self, place: Span) -> NamespaceId {
         let before = self.changes.partition_point(|(start, _)| *start <= place.start);
@@ -159,8 +160,8 @@ impl<'s> Namespaces<'s> {
     }
 
     /// Returns the namespaces around a place, the innermost first; the last is what stands outside of all.
-    fn around(&self, place: Span) -> impl Iterator<Item = NamespaceId> {
-        std::iter::successors(Some(self.at(place)), |&id| self.node(id).around)
+    fn ancestors(&self, place: Span) -> impl Iterator<Item = NamespaceId> {
+        std::iter::successors(Some(self.at(place)), |&id| self.node(id).parent)
     }
 
     /// Returns the namespace that a name means where it stands.
@@ -169,13 +170,15 @@ impl<'s> Namespaces<'s> {
         if self.is_empty() {
             return None;
         }
-        self.around(name.span).find_map(|at| self.below(at, name.text))
+        self.ancestors(name.span).find_map(|at| self.below(at, name.text))
     }
 
     /// Follows a path from a namespace to one inside of it.
     fn below(&self, at: NamespaceId, path: &str) -> Option<NamespaceId> {
         let mut parts = path.split('.');
-        parts.try_fold(at, |at, part| self.node(at).inner.get(&CaseFolded(part)).copied())
+        parts.try_fold(at, |at, part| {
+            self.node(at).children.get(&CaseFolded(part)).copied()
+        })
     }
 
     /// Finds what a name means where it stands, perhaps a qualified one; `get` tells what an unqualified name means in one namespace.
@@ -188,11 +191,11 @@ impl<'s> Namespaces<'s> {
             let at = path.map_or(Some(at), |path| self.below(at, path))?;
             get(at, last)
         };
-        for at in self.around(name.span) {
+        for at in self.ancestors(name.span) {
             if let Some(meant) = get_below(at) {
                 return Meaning::One(meant);
             }
-            let mut used = self.node(at).used.iter().filter_map(|used| get_below(*used));
+            let mut used = self.node(at).imports.iter().filter_map(|used| get_below(*used));
             if let Some(meant) = used.next() {
                 return used.next().map_or(Meaning::One(meant), |_| Meaning::Several);
             }

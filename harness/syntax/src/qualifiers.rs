@@ -37,10 +37,8 @@ pub fn resolve_qualifiers<'s>(
         let kind = if known.is_variable(qualifier) || own_instance(qualifier.text).is_some() {
             None
         } else if namespaces.named(qualifier).is_some() {
-            let is_elsewhere = known.is_global_variable(name);
             let text = span.text(text);
-            let qualified = is_joined.then_some(ExpressionKind::Name(Name { text, span }));
-            is_elsewhere.then_some(ExpressionKind::Name(name)).or(qualified)
+            is_joined.then_some(ExpressionKind::Name(Name { text, span }))
         } else if known
             .enumerations
             .contains(&CaseFolded(qualifier.unqualified().text))
@@ -121,12 +119,6 @@ impl<'s> Known<'s> {
             let is_here = |(start, end)| (start..end).contains(&name.span.start);
             matches!(declared.kind, DeclaredKind::Variable(_)) && declared.within.is_none_or(is_here)
         })
-    }
-
-    /// Returns whether a name is that of a global variable, which the whole text knows wherever it is declared.
-    fn is_global_variable(&self, name: Name<'s>) -> bool {
-        let global = DeclaredKind::Variable(VariableKind::Global);
-        self.all(name).any(|declared| declared.kind == global)
     }
 
     /// Returns whether the whole text knows a name.

@@ -313,13 +313,6 @@ impl Dialect {
         ElementaryType::from_name(self.standard_name(name))
     }
 
-    /// Returns whether the documents of the system say that it has not this elementary type.
-    #[must_use]
-    pub fn lacks_type(&self, ty: ElementaryType) -> bool {
-        let mut lacked = self.features.lacks.iter();
-        lacked.any(|key| key.eq_ignore_ascii_case(ty.name()))
-    }
-
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {

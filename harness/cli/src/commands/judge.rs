@@ -104,7 +104,15 @@ impl Judge<'_, '_> {
         let traces = trace::read(traces)?;
         let program = self.program(&source, out)?;
         let basis = match &program {
-            Ok((judged, _)) if self.arguments.engine.is_none() => self.basis.of(&judged.text),
+            Ok((judged, _))
+                if self
+                    .arguments
+                    .engine
+                    .as_deref()
+                    .is_none_or(|name| name == REFERENCE) =>
+            {
+                self.basis.of(&judged.text)
+            }
             _ => Vec::new(),
         };
         let mut exit = Exit::AsExpected;

@@ -78,10 +78,6 @@ impl<'u> Declarer<'u, '_> {
         if let Some(ty) = elementary
             && !ty.is_third_edition()
         {
-            if self.model.source.dialect.lacks_type(ty) {
-                let message = format!("{} is a type that the dialect does not have", ty.name());
-                self.report(Code::UndeclaredUnknownType, name.span, message);
-            }
             return match ty.is_text() {
                 true => self.model.types.text(ty, self.model.source.dialect.text_length),
                 false => TypeId::of(ty),

@@ -52,7 +52,7 @@ function cross(x, y, about) {
   return svg("path", { class: "cross", d: `M${x - 4} ${y - 4}l8 8m0 -8l-8 8` }, about ? svg("title", {}, about) : null);
 }
 
-/** Returns the roundings of numbers with fractions by what they give for 0.5, 1.5, 2.5, -0.5 and -1.5. */
+/** The roundings of numbers with fractions, by what they give for 0.5, 1.5, 2.5, -0.5 and -1.5. */
 const ROUNDINGS = {
   "0 1 2 0 -1": "fractions are cut off",
   "0 2 2 0 -2": "to the nearest integer, halves to the even one",
@@ -67,9 +67,10 @@ function behaviourWords(one, behaviour) {
   const at = (x) => points.find((point) => Object.is(point.x, x));
   const words = [ROUNDINGS[[0.5, 1.5, 2.5, -0.5, -1.5].map((x) => String(at(x)?.y ?? "").replace(/^-0$/, "0")).join(" ")]];
   const limits = limitsOf(one.result);
-  if (limits !== null) {
-    const beyond = at(limits[1] + 1)?.y;
-    words.push(beyond === limits[0] ? `beyond the limits the low ${WIDTHS[one.result]} bits` : beyond === limits[1] ? "beyond the limits the limit" : undefined);
+  if (limits !== null && WIDTHS[one.result] <= 32) {
+    const beyond = points.filter(({ x }) => x > limits[1] && x <= 1.5 * limits[1] && Number.isInteger(x)).slice(0, 9);
+    const all = (test) => beyond.length > 1 && beyond.every(test);
+    words.push(all(({ x, y }) => y === x - 2 ** WIDTHS[one.result]) ? `beyond the limits the low ${WIDTHS[one.result]} bits` : all(({ y }) => y === limits[1]) ? "beyond the limits the limit" : undefined);
   }
   const ends = [[Infinity, "infinity"], [NaN, "NaN"]].filter(([x]) => at(x) !== undefined).map(([x, name]) => `${name} gives ${at(x).result}`);
   return [...words, ...ends].filter((word) => word !== undefined && word !== "").join("; ");
@@ -100,7 +101,7 @@ function panel(one, rows, behaviour, value) {
   known.show(start, sought || notable(one, start)[0] || start.points[0]);
   return el("figure.panel", {}, el("figcaption", {}, el("h4", {}, systemNames([...judged, ...behaviour.dialects.filter((name) => !judged.includes(name))]).map((name, index) =>
     [index > 0 ? " · " : "", own !== "" && index === 0 && judged[0] === own ? el("strong.own", {}, name) : name]))),
-  behaviour.words === "" ? null : el("p.dim", {}, `${behaviour.words[0].toUpperCase()}${behaviour.words.slice(1)}. ${behaviour.difference}`),
+  behaviour.words === "" && behaviour.difference === "" ? null : el("p.dim", {}, behaviour.words === "" ? "" : `${behaviour.words[0].toUpperCase()}${behaviour.words.slice(1)}. `, behaviour.difference),
   el("div.views", {}, drawn), readout, bits,
   opening("The same as a table", () => behaviour.views.map((view) => table(viewTitle(one, view), [one.operands[0], one.result, "source"],
     view.points.map((point) => [point.operand, point.result, el("span", {}, ...sourcesOf(view, point, behaviour, judged, singles))]))), false));
@@ -162,7 +163,7 @@ function statusOfPoint(known, view, point) {
   return statusOf(known.judged.filter(isStated).length, known);
 }
 
-/** Returns for how many of them a source states a rule by which the result of a point comes, and not only single results. */
+/** Returns for how many of the systems that count a source states a rule by which the result of a point comes, and not only single results. */
 function statusOfRule(known, view, point) {
   return statusOf(known.judged.filter((dialect) => isDocumented(view.basisOf(dialect, point))).length, known);
 }

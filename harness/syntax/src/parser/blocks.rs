@@ -245,6 +245,9 @@ impl<'s> Parser<'s, '_> {
                 while self.far_ahead(ahead) == Dot && self.far_ahead(ahead + 1) == Name {
                     ahead += 2;
                 }
+                if self.far_ahead(ahead) == Dot && self.far_ahead(ahead + 1) == Enumerated {
+                    ahead += 2;
+                }
                 if self.far_ahead(ahead) == LeftParen {
                     ahead = self.behind_parentheses(ahead);
                 }

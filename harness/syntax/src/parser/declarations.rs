@@ -31,7 +31,17 @@ impl<'s> Parser<'s, '_> {
 
     /// One declaration of the top level; `None` where there is nothing that the tree could hold.
     fn declaration(&mut self) -> Option<Declaration<'s>> {
-        match self.kind() {
+        let kind = self.kind();
+        if matches!(
+            kind,
+            TokenKind::Program | TokenKind::Configuration | TokenKind::VarGlobal
+        ) && !self.namespaces.is_empty()
+        {
+            self.expected(
+                "`END_NAMESPACE` (a namespace has types, functions, function blocks, classes and interfaces)",
+            );
+        }
+        match kind {
             TokenKind::Program => self.pou(PouKind::Program),
             TokenKind::Function => self.pou(PouKind::Function),
             TokenKind::FunctionBlock => self.pou(PouKind::FunctionBlock),

@@ -31,7 +31,7 @@ pub(super) struct Basis {
 }
 
 impl Basis {
-    /// Looks things up in a folder of cases; without one nothing is known.
+    /// Looks things up in a folder of cases; without one only conversion functions are known.
     pub(super) fn new(dialect: DialectName, cases: Option<CaseFolder>) -> Basis {
         Basis {
             dialect,
