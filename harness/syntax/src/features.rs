@@ -8,6 +8,7 @@ mod expressions;
 
 use crate::lexer::lex;
 use crate::names::{DeclaredKind, declared};
+use crate::namespaces::Namespaces;
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
@@ -85,6 +86,7 @@ struct FeatureFinder<'t, 's> {
     types: FxHashMap<CaseFolded<'s>, &'t TypeSpecification<'s>>,
     /// The number of inputs of each function and function block, VAR_IN_OUT among them.
     inputs: FxHashMap<CaseFolded<'s>, usize>,
+    namespaces: Namespaces<'s>,
     found: Vec<FeatureUse>,
 }
 
@@ -112,6 +114,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 .map(|name| (CaseFolded(name.name.text), name.kind))
                 .collect(),
             types: names.iter().filter_map(of_group).collect(),
+            namespaces: Namespaces::new(unit, false),
             found: Vec::new(),
         }
     }
@@ -455,7 +458,9 @@ impl<'s> FeatureFinder<'_, 's> {
     }
 
     fn named_type(&mut self, name: &Name<'s>) {
-        self.note_if(name.text.contains('.'), "qualified-name", name.span);
+        if let Some((qualifier, _)) = name.text.split_once('.') {
+            self.note_if(!self.namespaces.has(qualifier), "qualified-name", name.span);
+        }
         if let Some(ty) = self.dialect.elementary(name.text) {
             self.note_type(ty, name.span);
         } else if let Some(key) = standard_block(name.text)

@@ -152,6 +152,11 @@ impl<'s> Namespaces<'s> {
         self.nodes.len() == 1
     }
 
+    /// Returns whether a namespace of this name is in no other one.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.node(0).children.contains_key(&CaseFolded(name))
+    }
+
     /// Returns the namespace that contains a position.
     #[must_use]
     pub fn at(&self, place: Span) -> NamespaceId {

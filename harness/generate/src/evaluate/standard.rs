@@ -9,6 +9,7 @@ use super::memory::MemoryCell;
 use super::{Evaluated, EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{Expression, StandardFunction, Type, UnaryOperator};
 use std::cmp::Ordering;
+use stickler_types::dialect::TextPositions;
 use stickler_types::{ElementaryType, Family};
 
 /// The shortest default length of a text among the known systems; a longer text may be truncated by one of them.
@@ -67,7 +68,12 @@ impl<'p> ModelEvaluator<'p> {
                 Ok(MemoryCell::Plain(at.map_or(0, |at| at as u64 + 1)))
             }
             (Left | Right, [MemoryCell::Text(units), MemoryCell::Plain(count)], _) => {
-                let kept = usize::try_from(*count).map_or(units.len(), |count| count.min(units.len()));
+                let count = usize::try_from(*count).unwrap_or(usize::MAX);
+                let is_whole = self.program.dialect.rules().text_positions == TextPositions::Whole;
+                let kept = match count > units.len() && is_whole {
+                    true => 0,
+                    false => count.min(units.len()),
+                };
                 let (left, right) = (&units[..kept], &units[units.len() - kept..]);
                 Ok(MemoryCell::Text(
                     if function == Left { left } else { right }.into(),

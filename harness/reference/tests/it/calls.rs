@@ -19,8 +19,9 @@ fn every_call_gives_what_its_row_says() {
             let [from, to] = types.split(" : ").map(ty).collect::<Vec<_>>()[..] else {
                 return Err("a row has two types".to_owned());
             };
-            let word_of = |dialect| {
-                if implicit(from, to, dialect).is_some() {
+            let word_of = |dialect: &Dialect| {
+                let has_both = dialect.has(from) && dialect.has(to);
+                if has_both && implicit(from, to, dialect).is_some() {
                     "yes"
                 } else {
                     "no"

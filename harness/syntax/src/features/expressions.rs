@@ -84,6 +84,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
     /// Returns the feature of a name behind that of an enumeration, or behind one that the program does not declare; `None` behind others.
     fn qualifier(&self, name: &str) -> Option<&'static str> {
         match self.declared(name) {
+            None if self.namespaces.has(name) => None,
             Some(DeclaredKind::Type) => Some("enumerated-value-qualified"),
             Some(_) => None,
             None => (own_instance(name).is_none()).then_some("qualified-name"),
@@ -96,7 +97,8 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             return None;
         };
         let library = self.name_of(base, at)?;
-        (self.declared(library).is_none() && own_instance(library).is_none()).then_some(field.text)
+        let is_known = self.declared(library).is_some() || self.namespaces.has(library);
+        (!is_known && own_instance(library).is_none()).then_some(field.text)
     }
 
     /// Returns the name that an expression is; `None` where it is something else.
