@@ -34,7 +34,7 @@ struct Namespace<'s> {
     imports: Vec<NamespaceId>,
 }
 
-/// What a name means where it stands.
+/// The meaning of a name at its place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Meaning<T> {
     /// This.

@@ -79,7 +79,7 @@ pub(super) struct Model<'u> {
     pub(super) has_members: bool,
 }
 
-/// What is wrong with a name that several namespaces declare.
+/// The message about a name that several namespaces behind USING declare, behind the name.
 pub(super) const SEVERAL_NAMESPACES: &str =
     "is declared in several namespaces behind USING; a qualified name tells which one is meant";
 

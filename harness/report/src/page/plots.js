@@ -42,7 +42,7 @@ function plotOf(one, rows, value) {
 /** Returns an entry of the legend. */
 function plotKey(kind, text) {
   const drawn = (status) => () => svg("line", { class: status, x1: 1, x2: 29, y1: 7, y2: 7 });
-  const marks = { stated: drawn("stated"), partly: drawn("partly"), chosen: drawn("chosen"), cursor: () => svg("circle", { class: "cursor", cx: 15, cy: 7, r: 5 }),
+  const marks = { stated: drawn("stated"), partly: drawn("partly"), chosen: drawn("chosen"), cursor: () => svg("circle", { fill: "none", stroke: "currentColor", cx: 15, cy: 7, r: 5 }),
     dot: () => svg("circle", { class: "stated", cx: 15, cy: 7, r: 3.4 }), cross: () => cross(15, 7) };
   return [el("span.key", {}, svg("svg", { viewBox: "0 0 30 14", "aria-hidden": "true" }, marks[kind]()), ` ${text}`), " "];
 }

@@ -1,5 +1,5 @@
-//! What a verdict rests on: for each standard function and function block that a program uses, whether sources state what it does in the
-//! dialect, or leave some of it to a choice of the reference.
+//! Counts, for each standard function and function block that a program uses, the results in the dialect that a source states, and those that
+//! are choices of the reference.
 
 use crate::case_folder::CaseFolder;
 use serde::Serialize;
