@@ -1,7 +1,8 @@
 //! The compliance statement that the standard demands of a system: the tables of features by number, the effects of conversions, and
 //! the parameters that are left to the implementer.
 //!
-//! What is declared comes from the documents of a dialect; what is measured from programs and cases that an engine is [asked](measure).
+//! The features that a system declares come from the file of its dialect; the measured ones from programs and cases that an engine is
+//! [asked](measure).
 //! Basis: iec-61131-3-2003: 1.5.1.
 
 mod measure;

@@ -29,7 +29,7 @@ pub const DATA: &str = "stickler-data.json";
 /// The word in the files of packages for which the version is written.
 const VERSION: &str = "0.0.0";
 
-/// What systems have, and what they answer to questions about conversions. The schema describes what is in it.
+/// Support data: the features of systems, and their answers to questions about conversions. The published schema describes its keys.
 #[derive(Serialize)]
 pub struct SupportData<'a> {
     version: &'a str,

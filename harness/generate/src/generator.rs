@@ -41,7 +41,7 @@ pub struct GeneratorSettings {
     pub dialect: Option<DialectName>,
     /// Whether the program may use constructs that documents leave open.
     pub open: bool,
-    /// What the program shall do without, by the words of [`features`](crate::features::features), in any case. The generator avoids most of
+    /// The features that the program shall not use, by the words of [`features`](crate::features::features), in any case. The generator avoids most of
     /// it; whether a program has something nevertheless is asked afterwards.
     pub lacking: Vec<String>,
 }
@@ -62,7 +62,7 @@ impl GeneratorSettings {
 pub(crate) enum TypeContext {
     /// An operand of something that takes several types: the text alone must determine the type.
     Exact,
-    /// The other operand of an operator whose first operand determines the type.
+    /// The second operand of an operator, whose type is that of the first.
     Operand,
     /// The right side of an assignment.
     Assigned,

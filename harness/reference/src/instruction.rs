@@ -336,8 +336,8 @@ pub enum StandardFunction {
     Concat,
     /// LEFT and its kin: pops one or two texts and the numbers of the function, and does what the dialect does where these lie outside the text.
     Part(TextPart, TextPositions),
-    /// What becomes of a result that its variable does not hold whole: pops the greatest length and one or two texts; pushes the first one where it is
-    /// no longer, otherwise the second one, or an empty text.
+    /// Replaces a text that is longer than the variable to which it is assigned: pops the greatest length and one or two texts; pushes the
+    /// first text where it is no longer, otherwise the second one, or an empty text.
     Fitting,
     /// FIND: pops two texts; pushes the position of the second in the first as INT, 0 where it is not there or empty.
     Find,

@@ -33,7 +33,7 @@ struct RunFile {
     /// What the header of the run has otherwise than that of [`sample::run_of`].
     #[serde(default)]
     header: Value,
-    /// What the cases have otherwise than those of [`sample::case`], besides their `id` and `verdict`. Line 0 stands for none; cases with
+    /// The properties in which the cases differ from those of [`sample::case`], besides their `id` and `verdict`. Line 0 stands for none; cases with
     /// observations are open; with `times` there are so many, whose ids end in their numbers.
     #[serde(default)]
     case: Vec<Map<String, Value>>,

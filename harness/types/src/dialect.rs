@@ -65,9 +65,9 @@ macro_rules! language_choices {
                 kind: DialectKind = DialectKind::Documented;
                 /// The file and line of the definition, such as `stickler.toml:3`.
                 place: String = String::new();
-                /// What the documents of the system say, in the words by which exact arithmetic and the generator know them.
+                /// The statements of the documents of the system, in the words by which exact arithmetic and the generator know them.
                 documents: Documents = Documents::DEFAULT;
-                /// What the system says of the features of the language.
+                /// The features of the language that the system declares to have or to lack.
                 features: DeclaredFeatures = DeclaredFeatures::NONE;
                 /// The system beside which it is asked only where the two differ, and a sample of the rest: another edition of one compiler.
                 asked_beside: Option<String> = None;

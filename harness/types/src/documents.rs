@@ -63,7 +63,7 @@ choices_of_words! { DocumentedImplicit, DocumentedFunctions, }
 macro_rules! documents {
     ($($choices:tt)*) => {
         choices! {
-            /// What the documents of a system say; by default nothing.
+            /// The statements of the documents of a system; by default there are none.
             #[derive(Clone, PartialEq, Eq, Debug)]
             Documents { $($choices)* } beside {
                 /// The page of the vendor about real numbers, where recordings count for more.

@@ -68,7 +68,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
     })
 }
 
-/// What came of a sweep.
+/// The result of a sweep.
 struct Swept {
     /// Whether the engine gave a result at all.
     executed: bool,

@@ -89,7 +89,7 @@ pub struct OracleFailure {
     pub program: Option<String>,
 }
 
-/// What an oracle says of an input, or of a part of it.
+/// The verdict of an oracle on an input, or on a part of it.
 pub type Judged<T = InputOutcome> = Result<T, OracleFailure>;
 
 /// Returns a failure without a program.

@@ -2,9 +2,10 @@
 //! are choices of the reference.
 
 use crate::case_folder::CaseFolder;
+use crate::documented::asserted_results;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use stickler_conversions::overview::boundary_calls;
+use stickler_conversions::overview::{AssertedResult, boundary_calls};
 use stickler_exact::{expected, signatures};
 use stickler_reference::has_block;
 use stickler_reference::semantics::is_standard_function;
@@ -76,14 +77,21 @@ impl Basis {
             .standard_name(&name)
             .to_ascii_uppercase();
         let conversions = signatures(&standard, self.dialect);
+        let suite = self.cases.as_ref().map(|folder| folder.load_mentioning(&name));
+        let asserted = suite.as_ref().map(|suite| asserted_results(suite, &standard));
+        let asserted = asserted.unwrap_or_default();
+        let is_source = |basis: &str| !basis.starts_with("rule:");
         for signature in &conversions {
             for operands in boundary_calls(signature) {
                 let basis = expected(signature, &operands, self.dialect).basis;
-                count(basis.is_some_and(|basis| !basis.starts_with("rule:")));
+                // Recordings and single values of pages stand in the cases.
+                let is_asserted = |one: &AssertedResult| {
+                    one.dialect == self.dialect && one.operands == operands && is_source(&one.basis)
+                };
+                count(basis.is_some_and(is_source) || asserted.iter().any(is_asserted));
             }
         }
-        let suite = self.cases.as_ref().filter(|_| conversions.is_empty());
-        let suite = suite.map(|folder| folder.load_mentioning(&name));
+        let suite = suite.filter(|_| conversions.is_empty());
         for case in suite.iter().flat_map(|suite| &suite.cases) {
             if case.dialect == self.dialect && mentions(&case.source, &name) {
                 count(!case.is_open());
