@@ -16,6 +16,12 @@ pub(super) const TAB: char = '\u{e004}';
 /// The key that confirms.
 pub(super) const ENTER: char = '\u{e007}';
 
+/// A key that changes nothing.
+const SHIFT: char = '\u{e008}';
+
+/// The maximum number of keys that a page may miss while it is opened.
+const MAX_PRESSES: usize = 100;
+
 /// A browser under control; it is closed at the end.
 pub(super) struct WebDriver {
     driver: Child,
@@ -53,9 +59,15 @@ impl WebDriver {
         Some(started)
     }
 
-    /// Opens an address.
+    /// Opens an address, and returns once the page receives keys: a browser drops those that come before the first painting.
     pub(super) fn open(&self, address: &str) {
         self.command("url", &json!({ "url": address }));
+        self.value("addEventListener('keydown', () => { document.hears = true; }, { once: true })");
+        let hears = (0..MAX_PRESSES).any(|_| {
+            self.press([SHIFT]);
+            self.value("document.hears === true") == true
+        });
+        assert!(hears, "{address} receives no key");
     }
 
     /// Goes to a place of the page, such as `#REAL_TO_INT`, at which it is not yet, and returns once the page shows it.
