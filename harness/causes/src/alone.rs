@@ -7,7 +7,9 @@ use crate::smaller_case::all_values;
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
+use std::ops::Range;
 use stickler_reference::errors;
+use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
@@ -73,6 +75,30 @@ impl Alone {
 
 /// The beginning of each program with an operand alone.
 const HEAD: &str = "PROGRAM main\nVAR\n";
+
+/// Returns the CONFIGURATION of a program without its variables, with a PROGRAM that does nothing but give a variable a value: where this
+/// does not come, the engine does not run the PROGRAM, or does not show what it does.
+pub(crate) fn configuration_alone(program: &ReadProgram<'_, '_>, value: &Value) -> Option<Alone> {
+    let configuration = program.unit.configurations().next()?;
+    let ty = value.elementary()?;
+    let literal = value.to_string();
+    let is_plain = is_number(ty) || ty == ElementaryType::Bool;
+    let literal = literal
+        .split_once('#')
+        .filter(|_| is_plain)
+        .map_or(&*literal, |(_, plain)| plain);
+    let alone = Alone::assigned(ty, literal);
+    let Range { start, end } = Range::<usize>::from(configuration.span);
+    let mut edits = Edits::replacing(0..start, format!("{}\n", alone.program));
+    for section in configuration.globals.iter().chain(&configuration.configured) {
+        edits.replace(section.span, "");
+    }
+    edits.replace(end..program.text.len(), "\n");
+    Some(Alone {
+        program: without_blank_lines(&edits.apply(program.text)).0,
+        ..alone
+    })
+}
 
 /// Returns the FOR loops of a program whose last value is the first one, each alone with that value; and then one that counts from 1
 /// to 1. The reference says where a loop ends.

@@ -232,7 +232,14 @@ impl Titled<'_, '_> {
 
     /// Returns the first expected value that did not come, with the statement that computes it.
     fn wrong_value(&self) -> String {
-        let described = |line: u32| described(&self.program, line) + &self.unit(line);
+        let configured = self
+            .program
+            .unit
+            .configurations()
+            .next()
+            .map(|_| " under a CONFIGURATION");
+        let described =
+            |line: u32| described(&self.program, line) + &self.unit(line) + configured.unwrap_or_default();
         let pairs = self
             .expected
             .iter()

@@ -81,9 +81,15 @@ pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
     types_among(words(text))
 }
 
-/// Returns the types that a program names and between which values are converted.
+/// Returns the types that a program names and between which values are converted. What a TASK has is no value of the program.
 pub(crate) fn valued_types(text: &str) -> BTreeSet<ElementaryType> {
-    valued_types_among(words(text))
+    let mut is_task = false;
+    let mut words = words(text);
+    words.retain(|word| {
+        is_task = (is_task || word.eq_ignore_ascii_case("TASK")) && *word != ";";
+        !is_task
+    });
+    valued_types_among(words)
 }
 
 /// Returns the types that words name and between which values are converted.
