@@ -16,7 +16,7 @@ use std::time::Duration;
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_run::{
     CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, RunSummary,
-    SourceHeader, dialect_headers,
+    dialect_headers,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -329,7 +329,7 @@ impl Export {
                 .into_iter()
                 .collect(),
             defined: self.manifest.defined.clone().into_iter().collect(),
-            sources: SourceHeader::all(&judge.suite.sources),
+            sources: judge.suite.sources.iter().cloned().collect(),
             ..Header::default()
         }
     }

@@ -4,8 +4,8 @@ use crate::claims::{Claims, entry};
 use crate::observations::Observations;
 use std::collections::BTreeMap;
 use stickler_run::{
-    CaseEvent, Cause, EngineHeader, Event, Footer, Grade, Header, OutdatedEntry, SourceHeader, Totals,
-    Verdict, clip_facts,
+    CaseEvent, Cause, EngineHeader, Event, Footer, Grade, Header, OutdatedEntry, Source, Totals, Verdict,
+    clip_facts,
 };
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
@@ -99,12 +99,12 @@ impl Overview {
     }
 
     /// Returns the sources that the header names.
-    pub(crate) fn sources(&self) -> &[SourceHeader] {
+    pub(crate) fn sources(&self) -> &[Source] {
         self.header.as_ref().map_or(&[], |header| &header.sources)
     }
 
     /// Returns a source by its key, where the header names it.
-    pub(crate) fn source(&self, key: &str) -> Option<&SourceHeader> {
+    pub(crate) fn source(&self, key: &str) -> Option<&Source> {
         self.sources().iter().find(|source| source.key == key)
     }
 

@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::PathBuf;
 #[cfg(test)]
-use stickler_run::{BaselineHeader, Cause, DefinedHeader, SourceHeader};
+use stickler_run::{BaselineHeader, Cause, DefinedHeader, Source};
 use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Grade, Header, Totals, Verdict};
 
 /// The name of the document in a folder of reports.
@@ -189,7 +189,7 @@ pub(crate) struct ResultsDocument<'d> {
     /// The dialects of the run that stickler.toml defines.
     defined: Vec<DefinedHeader>,
     /// The sources that the cases of the suite may cite.
-    sources: Vec<SourceHeader>,
+    sources: Vec<Source>,
     /// The claims, each with the numbers of its cases.
     claims: Vec<Claim<'d>>,
     /// The causes of failing cases, those that explain most cases first.

@@ -7,7 +7,7 @@ use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_run::{
     BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases, FORMAT, Fact, Footer,
-    Grade, Header, Observed, Reproducer, SourceHeader, Totals, Verdict,
+    Grade, Header, Observed, Reproducer, Source, Totals, Verdict,
 };
 use stickler_types::{Diagnostic, Severity, Value};
 
@@ -168,16 +168,16 @@ pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
 
 /// Returns a run whose header names the source of its cases.
 pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
-    header(&mut events).sources = vec![SourceHeader {
+    header(&mut events).sources = vec![Source {
         key: "ironplc-type-conversions".to_owned(),
         title: "Type Conversions".to_owned(),
         publisher: "IronPLC".to_owned(),
-        kind: "document".to_owned(),
+        kind: SourceKind::Document,
         address: "https://example.org/{section}#{anchor}".to_owned(),
         read: "0.239".to_owned(),
         engines: vec!["reference".to_owned()],
         limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
-        ..SourceHeader::default()
+        ..Source::default()
     }];
     events
 }

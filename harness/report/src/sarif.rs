@@ -136,7 +136,7 @@ fn rule_of_claim(id: &str, overview: &Overview) -> Value {
         return rule(id, [id; 3]);
     };
     let address = source.address_of(section);
-    let kind = source.relation.with_kind(&source.kind);
+    let kind = source.relation.with_kind(source.kind.as_str());
     let described = format!("{id} ({kind} of {}: {})", source.publisher, source.title);
     let help = format!("{described} {address}");
     let mut rule = rule(id, [id, &described, help.trim_end()]);

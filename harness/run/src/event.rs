@@ -6,7 +6,7 @@ mod header;
 mod verdict;
 
 pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
-pub use header::{BaselineHeader, DefinedHeader, EngineHeader, Header, OutdatedEntry, PROGRAM, SourceHeader};
+pub use header::{BaselineHeader, DefinedHeader, EngineHeader, Header, OutdatedEntry, PROGRAM};
 pub(crate) use header::{RERUN_DIALECT, RERUN_ID, rerun};
 pub use verdict::{Totals, Verdict};
 

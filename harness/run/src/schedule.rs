@@ -4,9 +4,7 @@ mod batches;
 mod context;
 
 use crate::answer_store::AnswerStore;
-use crate::event::{
-    CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM, SourceHeader,
-};
+use crate::event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM};
 use crate::lacks::{self, Survey, WaitingCases};
 use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, Verdict, is_asked, select};
 use batches::Batches;
@@ -287,7 +285,7 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),
         baselines: Vec::new(),
         defined: plan.defined.clone(),
-        sources: SourceHeader::all(&suite.sources),
+        sources: suite.sources.iter().cloned().collect(),
     }
 }
 

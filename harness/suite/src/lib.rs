@@ -68,7 +68,7 @@ pub use model::{
     Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
-pub use sources::{CheckedQuote, QuoteResult, Source, SourceKind, Sources, ToldSymptom, address_of};
+pub use sources::{CheckedQuote, QuoteResult, Source, SourceKind, Sources, ToldSymptom};
 pub use statements::SourceStatement;
 pub use stickler_types::Acceptance;
 pub use suite::{Suite, Wanted, load_file, read_case_file};

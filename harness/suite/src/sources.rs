@@ -14,6 +14,7 @@ mod sections;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
 use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation, Versions, words};
 
 use crate::near::suggestion;
@@ -38,48 +39,66 @@ pub struct Sources {
     rules: String,
 }
 
-/// A public text, a recording or a measurement that expectations come from, or Stickler's own rules.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// A source that cases may cite, or Stickler's own rules.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "SourceHeader"))]
 pub struct Source {
-    /// The name that a basis begins with.
+    /// The name with which a basis begins.
     pub key: String,
-    /// The title, for a person.
+    /// The title.
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
-    /// The relation of the publisher to what the source speaks of.
+    /// The relation of the publisher to what the source speaks of; left out of a maker.
+    #[serde(default, skip_serializing_if = "Relation::is_maker")]
     pub relation: Relation,
-    /// The kind, which decides whom a claim of the source binds.
+    /// The kind, as `sources.toml` spells it: `document`, `standard`, `recording`, `measurement` or `rule`.
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub kind: SourceKind,
-    /// The address as the file gives it, in which `{section}` and `{anchor}` stand for a section, and a path is one below the
-    /// parent of the folder of cases. [`Source::address_of`] returns it for a section.
+    /// The address, in which `{section}` and `{anchor}` stand for a section; [`Source::address_of`] fills them in.
     pub address: String,
-    /// The edition, version, commit or date at which the text was read.
+    /// The edition, version, commit or date at which it was read; empty for rules.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub read: String,
-    /// The built-in engines for which the source speaks. A standard and the rules name none.
+    /// The built-in engines for which it speaks; none of a standard and of the rules.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub engines: Vec<String>,
+    /// By section, the constructs that the section says are not there yet.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub limitations: BTreeMap<String, String>,
+    /// The claims of other sources that it contradicts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contradicts: Vec<Contradiction>,
+    /// The first paragraph of each rule; empty of every other source.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub paragraphs: BTreeMap<String, String>,
     /// The versions of these engines for which the claims of the source hold, as far as no [contradiction](Contradiction::until) ends them.
+    /// No run writes down this and what follows.
+    #[serde(skip)]
     pub versions: Versions,
     /// The dialects for which the source speaks; of a standard, those that are the standard itself. The rules name none.
+    #[serde(skip)]
     pub dialects: Vec<DialectName>,
+    #[serde(skip)]
     pub(crate) sections: Sections,
     /// The origin that each recording states, or the reason why no case can cite it; empty for every other source.
+    #[serde(skip)]
     pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
-    /// By section, the constructs that the section says are not there yet, though other sections may promise them.
-    pub limitations: BTreeMap<String, String>,
     /// By section, the programs and fragments that the section prints.
+    #[serde(skip)]
     pub(crate) examples: BTreeMap<String, SectionExamples>,
     /// By section, short figures that the page has, letter by letter.
+    #[serde(skip)]
     pub quotes: BTreeMap<String, Vec<String>>,
-    /// The claims of other sources that the source contradicts.
-    pub contradicts: Vec<Contradiction>,
     /// The results of calls that the source prints, and of which no dialect has a case.
+    #[serde(skip)]
     pub printed: Vec<PrintedResult>,
     /// The symptoms that the source says must not be, whatever program shows them.
+    #[serde(skip)]
     pub symptoms: Vec<ToldSymptom>,
-    /// The first paragraph of each rule; empty for every other source.
-    pub paragraphs: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
+    #[serde(skip)]
     pub(crate) line: u32,
 }
 
@@ -91,7 +110,7 @@ pub(crate) struct RecordedOrigin {
 }
 
 /// A symptom of which a source of a compiler's makers says that it must not be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ToldSymptom {
     /// The compiler, or what runs its programs, dies and says a word that is the name of a section.
@@ -102,7 +121,8 @@ pub enum ToldSymptom {
 
 words! {
     /// The kind of a source, with its name in `sources.toml` and in reports.
-    #[derive(Default)]
+    #[derive(Default, Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
     SourceKind {
         /// A text that the publisher of a compiler or of a programming system gives out about it.
         #[default]
@@ -270,10 +290,12 @@ impl Source {
         matches!(self.key.as_str(), RECORDING | RULE)
     }
 
-    /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases.
+    /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases. In
+    /// the address of the source `{section}` stands for its name, `{anchor}` for its words in lower case with hyphens between them.
     #[must_use]
     pub fn address_of(&self, section: &str) -> String {
-        address_of(&self.address, section)
+        let address = self.address.replace("{section}", section);
+        address.replace("{anchor}", &sections::anchor(section))
     }
 
     /// Returns the first section that the file of sources names; `None` where it names none.
@@ -281,13 +303,4 @@ impl Source {
     pub fn first_section(&self) -> Option<&str> {
         self.sections.headings.first().map(|(name, _)| name.as_str())
     }
-}
-
-/// Fills in the address of a source for a section: `{section}` stands for its name, `{anchor}` for its words in lower case with
-/// hyphens between them.
-#[must_use]
-pub fn address_of(address: &str, section: &str) -> String {
-    address
-        .replace("{section}", section)
-        .replace("{anchor}", &sections::anchor(section))
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
-    Reproducer, SourceHeader, Verdict,
+    Reproducer, Source, Verdict,
 };
 use stickler_types::{Contradiction, Relation, counted, grouped};
 
@@ -231,7 +231,7 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
         _ => None,
     });
     let code = reason.and_then(|reason| Some(reason.split_once(':')?.0));
-    let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    let own = |source: &&Source| source.engines.contains(&cause.engine);
     let claim = Basis::of(&cause.shown.basis);
     let mut cited = overview.sources().iter().filter(own);
     let cited = cited.find(|source| source.key == claim.source);
@@ -257,7 +257,7 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     let Reproducer {
         basis, case, program, ..
     } = &cause.shown;
-    let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    let own = |source: &&Source| source.engines.contains(&cause.engine);
     let sources = overview.sources().iter().filter(own);
     let told = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
     let version = overview
@@ -369,7 +369,7 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
         return format!("*{}*", inline(&shown.basis));
     };
     let claim = linked(&shown.basis, &source.address_of(section));
-    let SourceHeader {
+    let Source {
         title,
         publisher,
         kind,

@@ -57,7 +57,7 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
         },
     };
     let mark = if row.failed() { "**✗**" } else { "" };
-    let kind = source.map(|source| source.relation.with_kind(&source.kind));
+    let kind = source.map(|source| source.relation.with_kind(source.kind.as_str()));
     Some(format!(
         "| {mark} | {} | {} | {section} |",
         inline(row.source),

@@ -83,7 +83,7 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<ClaimLine> {
         let mut names = vec![name(row, "  ")];
         if !overview.sources().is_empty() {
             let source = overview.source(row.source).filter(|_| row.sum);
-            names.push(Cell::left(source.map_or("", |source| &source.kind)));
+            names.push(Cell::left(source.map_or("", |source| source.kind.as_str())));
         }
         (names, row.standings.clone())
     };
@@ -95,7 +95,9 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<ClaimLine> {
 fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<ClaimLine>, usize) {
     let mut kinds: BTreeMap<&str, Vec<&Row<'_>>> = BTreeMap::new();
     for row in rows {
-        let kind = overview.source(row.source).map_or("other", |source| &source.kind);
+        let kind = overview
+            .source(row.source)
+            .map_or("other", |source| source.kind.as_str());
         kinds.entry(kind).or_default().push(row);
     }
     let mut lines = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::{Detail, SHOWN_FAILURES, Surroundings, write};
 use crate::sample;
-use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
+use stickler_run::{CaseEvent, Event, SourceKind, Verdict};
 
 fn shown(events: &[Event]) -> String {
     shown_with(events, Surroundings::default())
@@ -77,13 +77,15 @@ fn large(engines: &[&str], last_sources: usize, last: Verdict) -> Vec<Event> {
     }
     let mut events = sample::with_sources(sample::run_on(engines, cases));
     let header = sample::header(&mut events);
-    let kinds = ["document", "measurement", "recording", "rule", "standard"];
-    let of = |number: usize| SourceHeader {
-        key: format!("source-{number}"),
-        kind: kinds[number % kinds.len()].to_owned(),
-        ..header.sources[0].clone()
+    let kinds = {
+        use SourceKind::{Document, Measurement, Recording, Rule, Standard};
+        [Document, Measurement, Recording, Rule, Standard]
     };
-    header.sources = (0..50).map(of).collect();
+    header.sources = vec![header.sources[0].clone(); 50];
+    for (number, source) in header.sources.iter_mut().enumerate() {
+        source.key = format!("source-{number}");
+        source.kind = kinds[number % kinds.len()];
+    }
     events
 }
 
