@@ -21,9 +21,10 @@ pub use reports::{BlessArguments, CompareArguments, SiteArguments};
 pub use run::RunArguments;
 pub use suite::{ChangesArguments, LintArguments, ListArguments, ShowArguments, SourcesArguments};
 
+use crate::commands::Command;
 use crate::exit;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser};
 use clap_complete::Shell;
 use numbers::whole;
 use std::path::PathBuf;
@@ -43,107 +44,6 @@ pub struct Arguments {
     /// Read FILE, which names engines and defines dialects [default: stickler.toml here or in a folder above]
     #[arg(long, value_name = "FILE", global = true)]
     pub config: Option<PathBuf>,
-}
-
-/// The commands.
-#[derive(Subcommand, Debug)]
-pub enum Command {
-    /// Run cases, judge what the engines did, write reports
-    #[command(after_help = include_str!("arguments/examples/run.txt"))]
-    Run(RunArguments),
-    /// Record the results of the last run as expected, in the baselines of its engines
-    #[command(after_help = include_str!("arguments/examples/bless.txt"))]
-    Bless(BlessArguments),
-    /// List the cases, or with --basis the claims that they check
-    #[command(after_help = include_str!("arguments/examples/list.txt"))]
-    List(ListArguments),
-    /// Show one case: its program, what must happen, why, and how to run it again
-    #[command(after_help = include_str!("arguments/examples/show.txt"))]
-    Show(ShowArguments),
-    /// List the sources of the claims, or hold what they quote against saved copies of their pages
-    #[command(after_help = include_str!("arguments/examples/sources.txt"))]
-    Sources(SourcesArguments),
-    /// Show what the suite claims otherwise than an older version of it
-    #[command(after_help = include_str!("arguments/examples/changes.txt"))]
-    Changes(ChangesArguments),
-    /// Check the case files themselves
-    #[command(after_help = include_str!("arguments/examples/lint.txt"))]
-    Lint(LintArguments),
-    /// Show the diagnostics of the reference for a program of one file or several
-    #[command(after_help = include_str!("arguments/examples/check.txt"))]
-    Check(CheckArguments),
-    /// Execute a program of one file or several on the reference and print the final values
-    #[command(after_help = include_str!("arguments/examples/eval.txt"))]
-    Eval(EvalArguments),
-    /// Execute a program, function block or function on traces, and compare what comes out with what they expect
-    #[command(after_help = include_str!("arguments/examples/judge.txt"))]
-    Judge(JudgeArguments),
-    /// Show what another system rejects of a program, and what it computes otherwise
-    #[command(after_help = include_str!("arguments/examples/port.txt"))]
-    Port(PortArguments),
-    /// Print one file in the normalised form of the reference
-    #[command(after_help = include_str!("arguments/examples/render.txt"))]
-    Render(SourceArguments),
-    /// Serve an engine over the wire protocol on stdin and stdout, or check whether an adapter keeps to it
-    #[command(after_help = include_str!("arguments/examples/engine.txt"))]
-    Engine(EngineArguments),
-    /// List the engines: where each was found, what it can do, and what is missing
-    #[command(after_help = include_str!("arguments/examples/engines.txt"))]
-    Engines(EnginesArguments),
-    /// Explain a diagnostic code, or list all of them
-    #[command(after_help = include_str!("arguments/examples/explain.txt"))]
-    Explain(ExplainArguments),
-    /// Show which types convert implicitly, by the documents and on engines
-    #[command(after_help = include_str!("arguments/examples/matrix.txt"))]
-    Matrix(MatrixArguments),
-    /// Show what a conversion function gives for boundary values, dialects side by side
-    #[command(after_help = include_str!("arguments/examples/conversions.txt"))]
-    Conversions(ConversionsArguments),
-    /// Show where documents, editions of the standard, recordings and compilers give different answers to one question
-    #[command(after_help = include_str!("arguments/examples/contradictions.txt"))]
-    Contradictions(ContradictionsArguments),
-    /// Write a file with the conversions of an engine, to be shown where the engine is not at hand
-    #[command(after_help = include_str!("arguments/examples/record.txt"))]
-    Record(RecordArguments),
-    /// Compare every input of a conversion function with exact arithmetic
-    #[command(after_help = include_str!("arguments/examples/sweep.txt"))]
-    Sweep(SweepArguments),
-    /// Show what a newer run does better or worse than an older one
-    #[command(after_help = include_str!("arguments/examples/compare.txt"))]
-    Compare(CompareArguments),
-    /// Build a static site of several runs: engines, their history, what each version fixed and broke
-    #[command(after_help = include_str!("arguments/examples/site.txt"))]
-    Site(SiteArguments),
-    /// Search for programs on which an engine, or the reference, does not do what documents say
-    #[command(after_help = include_str!("arguments/examples/fuzz.txt"))]
-    Fuzz(FuzzArguments),
-    /// Reduce a program that shows a symptom on an engine
-    #[command(after_help = include_str!("arguments/examples/reduce.txt"))]
-    Reduce(ReduceArguments),
-    /// Write what shows a case on a compiler without Stickler: its program, a driver and a script
-    #[command(after_help = include_str!("arguments/examples/reproduce.txt"))]
-    Reproduce(ReproduceArguments),
-    /// Turn a finding into a case, or a recording into tables of cases
-    #[command(after_help = include_str!("arguments/examples/promote.txt"))]
-    Promote(PromoteArguments),
-    /// Merge the parts of a run, or of a campaign
-    #[command(after_help = include_str!("arguments/examples/merge.txt"))]
-    Merge(MergeArguments),
-    /// Write pages of self-checking programs, for a compiler that is only reachable through an editor
-    #[command(after_help = include_str!("arguments/examples/export.txt"))]
-    Export(ExportArguments),
-    /// Write what systems have and do as one JSON file, with its schema, its types and packages for npm and PyPI
-    #[command(after_help = include_str!("arguments/examples/data.txt"))]
-    Data(DataArguments),
-    /// Write the compliance statement that the standard demands of a system, as it is declared and as an engine does
-    #[command(after_help = include_str!("arguments/examples/compliance.txt"))]
-    Compliance(ComplianceArguments),
-    /// Judge and report the results that exported pages left in their arrays
-    #[command(after_help = include_str!("arguments/examples/import.txt"))]
-    Import(ImportArguments),
-    /// Print the script by which a shell completes commands and options
-    #[command(after_help = include_str!("arguments/examples/completions.txt"))]
-    Completions(CompletionsArguments),
 }
 
 /// The cases that a command works on.

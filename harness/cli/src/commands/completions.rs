@@ -3,13 +3,13 @@
 use crate::arguments::{Arguments, CompletionsArguments};
 use crate::exit::Exit;
 use clap::CommandFactory;
-use std::io::{self, Write};
+use std::io::Write;
 
 /// Prints the script of a shell.
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub fn execute(arguments: &CompletionsArguments, out: &mut dyn Write) -> io::Result<Exit> {
+pub fn execute(arguments: &CompletionsArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let mut command = Arguments::command();
     let name = command.get_name().to_owned();
     // The generator panics where its output cannot be written.
