@@ -70,38 +70,33 @@ mod tests {
     use super::other;
     use crate::sample;
     use stickler_run::{CaseEvent, Fact, Verdict};
+    use stickler_types::Diagnostic;
 
     #[test]
     fn an_answer_names_what_departs_from_the_expectation() {
-        let value = |literal| sample::value("into", literal);
-        let warning = || sample::warning(6, "C0195");
-        let of = |expected, got| {
-            other(&CaseEvent {
-                expected,
-                got,
-                ..sample::case("a::p(1)", Verdict::Fail)
-            })
+        let fact = |word: &str| match word {
+            "accepted" => Fact::Accepted,
+            "rejected" => sample::reported(6, "P4035", ""),
+            "warned" => Fact::Warning(Diagnostic {
+                code: Some("C0195".to_owned()),
+                ..Diagnostic::default()
+            }),
+            literal => sample::value("into", literal),
         };
-        assert_eq!(
-            of(vec![Fact::Accepted], vec![Fact::Accepted, warning()]),
-            "warned C0195"
-        );
-        assert_eq!(
-            of(vec![Fact::Accepted, warning()], vec![Fact::Accepted]),
-            "no warning"
-        );
-        assert_eq!(
-            of(vec![value("INT#3"), warning()], vec![value("INT#3")]),
-            "no warning"
-        );
-        assert_eq!(of(vec![value("INT#3"), warning()], vec![value("INT#4")]), "INT#4");
-        assert_eq!(
-            of(vec![value("INT#3"), warning()], vec![value("INT#4"), warning()]),
-            "INT#4"
-        );
-        assert_eq!(
-            of(vec![Fact::Accepted, warning()], vec![sample::error(6, "P4035")]),
-            "rejected P4035"
-        );
+        for (expected, got, answer) in [
+            ("accepted", "accepted warned", "warned C0195"),
+            ("accepted warned", "accepted", "no warning"),
+            ("INT#3 warned", "INT#3", "no warning"),
+            ("INT#3 warned", "INT#4", "INT#4"),
+            ("INT#3 warned", "INT#4 warned", "INT#4"),
+            ("accepted warned", "rejected", "rejected P4035"),
+        ] {
+            let case = CaseEvent {
+                expected: expected.split(' ').map(fact).collect(),
+                got: got.split(' ').map(fact).collect(),
+                ..sample::case("a::p(1)", Verdict::Fail)
+            };
+            assert_eq!(other(&case), answer, "{expected}: {got}");
+        }
     }
 }

@@ -1,15 +1,15 @@
 //! A small run for the tests of this crate, and helpers to build and inspect its parts.
 
 use crate::{Overview, Reports};
-use std::collections::BTreeMap;
+use serde::de::DeserializeOwned;
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 use stickler_conversions::overview::Statements;
 use stickler_run::{
-    BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases, FORMAT, Fact, Footer,
-    Grade, Header, Observed, Reproducer, Source, Totals, Verdict,
+    BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, Fact, Footer, Header, Totals, Verdict,
 };
-use stickler_types::{Diagnostic, Severity, Value};
+use stickler_types::{Diagnostic, Value};
 
 /// Returns the fact that a variable has a value, given as a typed literal.
 pub(crate) fn value(name: &str, literal: &str) -> Fact {
@@ -17,25 +17,6 @@ pub(crate) fn value(name: &str, literal: &str) -> Fact {
         name: name.to_owned(),
         value: Value::parse(literal).expect("a typed literal"),
     }
-}
-
-/// Returns an expected diagnostic.
-pub(crate) fn error(line: u32, code: &str) -> Fact {
-    Fact::Diagnostic(Diagnostic {
-        line: Some(line),
-        code: Some(code.to_owned()),
-        ..Diagnostic::default()
-    })
-}
-
-/// Returns an expected warning.
-pub(crate) fn warning(line: u32, code: &str) -> Fact {
-    Fact::Warning(Diagnostic {
-        severity: Severity::Warning,
-        line: Some(line),
-        code: Some(code.to_owned()),
-        ..Diagnostic::default()
-    })
 }
 
 /// Returns a diagnostic of an engine; line 0 stands for none, and so does an empty code.
@@ -48,59 +29,38 @@ pub(crate) fn reported(line: u32, code: &str, message: &str) -> Fact {
     })
 }
 
+/// Returns a part of the run in `sample.toml`.
+fn part<T: DeserializeOwned>(name: &str) -> T {
+    static PARTS: LazyLock<toml::Table> =
+        LazyLock::new(|| include_str!("sample.toml").parse().expect("tables"));
+    PARTS[name].clone().try_into().expect(name)
+}
+
 /// Returns a case with this id and verdict.
 pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
-    let right = value("into", "INT#-128");
+    let mut case: CaseEvent = part("case");
     // In the events of a run, a case that passes has no expected and actual facts.
-    let (line, expected, got) = match verdict {
-        Verdict::Pass => (None, Vec::new(), Vec::new()),
-        Verdict::Xpass => (Some(7), vec![right.clone()], vec![right]),
-        _ => (Some(7), vec![right], vec![value("into", "INT#128")]),
-    };
+    match verdict {
+        Verdict::Pass => (case.line, case.expected, case.got) = (None, Vec::new(), Vec::new()),
+        Verdict::Xpass => case.got.clone_from(&case.expected),
+        _ => {}
+    }
     CaseEvent {
         id: format!("widening/{id}"),
-        dialect: "ironplc-ed2".to_owned(),
-        engine: "reference".to_owned(),
         verdict,
-        basis: "ironplc-type-conversions: Integer widening".to_owned(),
-        file: "conformance-cases/widening/integer.toml".to_owned(),
-        line,
-        area: "widening".to_owned(),
-        title: "SINT widens to INT".to_owned(),
         expectation: 0x1234_5678,
-        expected,
-        got,
-        duration_us: 12,
-        ..CaseEvent::default()
+        ..case
     }
 }
 
 /// Returns a cause with this title, which explains so many cases with this verdict.
 pub(crate) fn cause(title: &str, cases: u64, verdict: Verdict) -> Cause {
-    let case = case("t::a(1)", verdict);
+    let mut cause: Cause = part("cause");
+    (cause.cases[0].verdict, cause.cases[0].cases) = (verdict, cases);
     Cause {
-        engine: case.engine,
-        symptom: "value".to_owned(),
         construct: title.to_owned(),
         title: title.to_owned(),
-        shown: Reproducer {
-            case: case.id,
-            dialect: case.dialect.clone(),
-            basis: case.basis.clone(),
-            about: case.title,
-            program: "PROGRAM m END_PROGRAM\n".to_owned(),
-            expected: vec![value("into", "INT#-128")],
-            got: vec![value("into", "INT#128")],
-            ..Reproducer::default()
-        },
-        cases: vec![ExplainedCases {
-            probe: "widening/t::a".to_owned(),
-            dialect: case.dialect,
-            basis: case.basis,
-            verdict,
-            cases,
-        }],
-        ..Cause::default()
+        ..cause
     }
 }
 
@@ -108,10 +68,7 @@ pub(crate) fn cause(title: &str, cases: u64, verdict: Verdict) -> Cause {
 pub(crate) fn open_case(id: &str) -> CaseEvent {
     CaseEvent {
         open: true,
-        observations: vec![Observed {
-            name: "r".to_owned(),
-            value: "INT#3".to_owned(),
-        }],
+        observations: vec![part("observed")],
         ..case(id, Verdict::Pass)
     }
 }
@@ -128,13 +85,7 @@ pub(crate) fn run() -> Vec<Event> {
 
 /// Returns the note of a baseline on a case.
 pub(crate) fn baseline_note() -> BaselineNote {
-    BaselineNote {
-        at: "b/reference.toml:7".to_owned(),
-        verdict: Verdict::Fail,
-        others: Vec::new(),
-        reason: "rounds".to_owned(),
-        link: Some("https://example.org/1".to_owned()),
-    }
+    part("note")
 }
 
 /// Returns the header of a run, to be changed.
@@ -168,17 +119,7 @@ pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
 
 /// Returns a run whose header names the source of its cases.
 pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
-    header(&mut events).sources = vec![Source {
-        key: "ironplc-type-conversions".to_owned(),
-        title: "Type Conversions".to_owned(),
-        publisher: "IronPLC".to_owned(),
-        kind: SourceKind::Document,
-        address: "https://example.org/{section}#{anchor}".to_owned(),
-        read: "0.239".to_owned(),
-        engines: vec!["reference".to_owned()],
-        limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
-        ..Source::default()
-    }];
+    header(&mut events).sources = vec![part("source")];
     events
 }
 
@@ -187,21 +128,8 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut totals = Totals::default();
     cases.iter().for_each(|case| totals.count(case.verdict));
     let header = Header {
-        format: FORMAT,
-        stickler: "0.1.0".to_owned(),
-        suite: "0.1.0".to_owned(),
-        started: "2026-09-01T12:00:00Z".to_owned(),
-        command: "stickler run".to_owned(),
-        engines: vec![EngineHeader {
-            name: "reference".to_owned(),
-            version: "0.1.0".to_owned(),
-            dialects: vec!["ironplc-ed2".to_owned()],
-            strict: Grade::Code,
-            rerun: "stickler run --filter '{id}@{dialect}'".to_owned(),
-            commands: BTreeMap::from([("ironplc-ed2".to_owned(), "ironplcc check program.st".to_owned())]),
-        }],
         cases: cases.len() as u64,
-        ..Header::default()
+        ..part("header")
     };
     let engines = vec![EngineTotals {
         name: "reference".to_owned(),
@@ -234,16 +162,9 @@ pub(crate) fn report(folder: &Path, events: &[Event]) {
 
 /// Returns the names of the entries of a folder, sorted.
 pub(crate) fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("the folder");
-    let mut names: Vec<String> = entries
-        .map(|entry| {
-            entry
-                .expect("an entry")
-                .file_name()
-                .to_string_lossy()
-                .into_owned()
-        })
-        .collect();
+    let entries = fs::read_dir(folder).expect("the folder").flatten();
+    let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+    let mut names: Vec<String> = entries.map(name).collect();
     names.sort();
     names
 }

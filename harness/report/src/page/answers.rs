@@ -206,7 +206,7 @@ mod tests {
         let implicit = "implicit(TIME,TIME)".parse().expect("a question");
         let rejected = CaseEvent {
             expected: vec![Fact::Accepted],
-            got: vec![sample::error(3, "P0002")],
+            got: vec![sample::reported(3, "P0002", "")],
             question: Some(implicit),
             ..sample::case("a::p(-1)", Verdict::Fail)
         };
