@@ -7,7 +7,7 @@ use stickler_engines::shell_quote;
 use stickler_types::DialectName;
 
 /// The parts from which the commands of a campaign are written.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ReproductionCommands {
     /// The words that start Stickler where the reader is, such as `stickler`.
     pub program: String,

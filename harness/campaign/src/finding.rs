@@ -7,6 +7,7 @@ use stickler_causes::CauseKey;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_reduce::{Reduction, StopReason};
+use stickler_run::Observed;
 use stickler_types::{DialectName, Fnv1a};
 
 /// The version of the form in which findings are saved.
@@ -19,7 +20,7 @@ pub const DIFFERENTIAL: &str = "differential";
 const MAX_KIND_LEN: usize = 40;
 
 /// A disagreement or crash, reduced and run again.
-#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Finding {
     /// [`FORMAT`]. Keys may be added under the same number.
     pub format: u32,
@@ -78,17 +79,18 @@ pub struct EngineInfo {
 }
 
 /// Whether a finding was seen again.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Confirmation {
     /// The reduced program was run once more, and did the same.
     Confirmed,
     /// A second run did something else, or the engine was gone. The finding is kept as it was found.
+    #[default]
     Flaky,
 }
 
 /// The origin of a finding.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct FindingOrigin {
     /// The seed of the campaign.
     pub seed: u64,
@@ -114,7 +116,7 @@ pub enum ExpectedBehavior {
     /// The program is accepted, and at its end its variables have these values.
     Values {
         /// The variables and their values, as typed literals.
-        values: Vec<ObservedValue>,
+        values: Vec<Observed>,
         /// The document and section that say so; `None` where something that happened is open.
         basis: Option<String>,
         /// The events that no document settles.
@@ -136,13 +138,10 @@ pub enum ExpectedBehavior {
     },
 }
 
-/// A variable and its value.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct ObservedValue {
-    /// The variable, or a path to an elementary value.
-    pub name: String,
-    /// A typed literal.
-    pub value: String,
+impl Default for ExpectedBehavior {
+    fn default() -> ExpectedBehavior {
+        ExpectedBehavior::Property { claim: String::new() }
+    }
 }
 
 /// The outcome of one engine.
@@ -161,32 +160,16 @@ impl Finding {
     pub(crate) fn begin(target: &str, mismatch: &Mismatch, seed: u64) -> Finding {
         Finding {
             format: FORMAT,
-            id: String::new(),
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
             target: target.to_owned(),
-            engine: None,
             symptom: mismatch.symptom.clone(),
-            rule: Vec::new(),
-            cause: None,
-            dialect: None,
-            standing: Confirmation::Flaky,
             origin: FindingOrigin {
                 seed,
                 place: mismatch.place,
-                open: false,
-                smallest: false,
                 tries: 1,
-                size_found: 0,
-                size: 0,
+                ..FindingOrigin::default()
             },
-            message: String::new(),
-            expected: ExpectedBehavior::Property { claim: String::new() },
-            outcomes: Vec::new(),
-            reproduce: Vec::new(),
-            fingerprint: String::new(),
-            program: None,
-            original: None,
-            input: Vec::new(),
+            ..Finding::default()
         }
     }
 

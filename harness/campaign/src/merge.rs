@@ -140,23 +140,16 @@ mod tests {
             stickler: "0.1.0".to_owned(),
             asked: CampaignRequest {
                 seed: 7,
-                first: 0,
                 count: Some(100),
-                milliseconds: None,
                 targets: vec!["execute".to_owned()],
-                engines: Vec::new(),
-                dialects: Vec::new(),
-                open: false,
-                without: Vec::new(),
-                max_input: None,
+                ..CampaignRequest::default()
             },
             part,
             parts: 3,
             complete,
             programs: 33,
             disagreements: 2,
-            findings: Vec::new(),
-            failing: Vec::new(),
+            ..Record::default()
         }
     }
 

@@ -1,9 +1,10 @@
 //! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
 
-use crate::finding::{Confirmation, ExpectedBehavior, Finding, ObservedValue};
+use crate::finding::{Confirmation, ExpectedBehavior, Finding};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use stickler_run::Observed;
 
 /// The folder of cases that campaigns found, below the folder of cases.
 pub const FOUND: &str = "found";
@@ -203,7 +204,7 @@ fn toml_string(text: &str) -> String {
     quoted.replace("*)", "*\\u0029").replace("(*", "\\u0028*")
 }
 
-fn with_values(program: &str, values: &[ObservedValue]) -> String {
+fn with_values(program: &str, values: &[Observed]) -> String {
     if values.is_empty() {
         // A program without variables says that its last line is accepted.
         return format!("{} (*! ok *)\n", program.trim_end());
@@ -213,7 +214,7 @@ fn with_values(program: &str, values: &[ObservedValue]) -> String {
         text.push('\n');
     }
     text.push_str("(*! values\n");
-    for ObservedValue { name, value } in values {
+    for Observed { name, value } in values {
         // Neither end nor beginning of a comment may stand in a mark.
         let value = value.replace("*)", "*$29").replace("(*", "($2A");
         text.push_str(&format!("{name} = {value}\n"));

@@ -13,7 +13,7 @@ pub const RECORD: &str = "campaign.json";
 pub const FORMAT: u32 = 1;
 
 /// A campaign, or one part of one.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Record {
     /// [`FORMAT`].
     pub format: u32,
@@ -39,7 +39,7 @@ pub struct Record {
 }
 
 /// The options of a campaign, which are the same for all its parts.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Serialize, Deserialize)]
 pub struct CampaignRequest {
     /// The seed.
     pub seed: u64,

@@ -96,7 +96,7 @@ pub struct UnmatchedCase {
 }
 
 /// The comparison of two runs.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Comparison {
     /// The header of the older run.
     pub old: Header,
@@ -208,10 +208,7 @@ impl Matching {
                 old,
                 new,
                 engines,
-                changes: Vec::new(),
-                added: Vec::new(),
-                gone: Vec::new(),
-                same: 0,
+                ..Comparison::default()
             },
             known: HashMap::new(),
             detailed: BTreeMap::new(),

@@ -116,7 +116,7 @@ impl CaseEvent {
 }
 
 /// The note of a baseline on a case.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BaselineNote {
     /// The file and line of the entry.

@@ -4,15 +4,14 @@ use super::engine::{EngineUnderTest, describe, has_died};
 use super::question::{Agreement, EvaluatedProgram};
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
-use crate::finding::{
-    Confirmation, DIFFERENTIAL, EngineReport, ExpectedBehavior, Finding, FindingOrigin, ObservedValue,
-};
+use crate::finding::{Confirmation, DIFFERENTIAL, EngineReport, ExpectedBehavior, Finding, FindingOrigin};
 use crate::oracle::Mismatch;
 use stickler_causes::CauseKey;
 use stickler_engines::Outcome;
 use stickler_generate::model::Program;
 use stickler_generate::reduce;
 use stickler_reduce::{CandidateJudge, Interestingness, ReductionBudget, StopReason};
+use stickler_run::Observed;
 
 /// The number of smaller programs that are tried at most where an engine answers from within this process.
 const MAX_TRIES_IN_PROCESS: u64 = 5000;
@@ -252,7 +251,7 @@ impl CandidateJudge<Program> for MismatchJudge<'_, '_> {
 
 /// Returns what must happen, by the evaluator.
 pub(crate) fn expected(subject: &EvaluatedProgram, basis: String) -> ExpectedBehavior {
-    let values = subject.values.iter().map(|(name, value)| ObservedValue {
+    let values = subject.values.iter().map(|(name, value)| Observed {
         name: name.clone(),
         value: value.to_string(),
     });

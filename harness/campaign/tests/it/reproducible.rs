@@ -32,10 +32,8 @@ pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> C
             program: "stickler".to_owned(),
             folder: PathBuf::from("reports/findings"),
             engines: vec!["cmd:defective".to_owned()],
-            dialects: Vec::new(),
-            targets: Vec::new(),
-            without: Vec::new(),
             max_input: Inputs::MAX_LEN,
+            ..ReproductionCommands::default()
         },
     };
     let plan = CampaignPlan {

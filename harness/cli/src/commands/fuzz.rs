@@ -248,9 +248,9 @@ fn commands(arguments: &FuzzArguments, surveyed: &Surveyed, store: &Store) -> Re
         folder: store.folder().to_owned(),
         engines: arguments.engine.clone(),
         dialects: arguments.dialect.clone(),
-        targets: Vec::new(),
         without: surveyed.without.clone(),
         max_input: surveyed.max_input,
+        ..ReproductionCommands::default()
     }
 }
 
@@ -264,11 +264,9 @@ fn request(arguments: &FuzzArguments, surveyed: &Surveyed) -> CampaignRequest {
             .count
             .is_none()
             .then(|| u64::try_from(time).unwrap_or(u64::MAX)),
-        targets: Vec::new(),
-        engines: Vec::new(),
-        dialects: Vec::new(),
         open: arguments.open,
         without: surveyed.without.clone(),
         max_input: (surveyed.max_input != Inputs::MAX_LEN).then_some(surveyed.max_input),
+        ..CampaignRequest::default()
     }
 }

@@ -155,11 +155,8 @@ mod tests {
     #[test]
     fn a_crash_that_a_baseline_expects_is_still_a_crash() {
         let note = BaselineNote {
-            at: "b/reference.toml:7".to_owned(),
             verdict: Verdict::Crash,
-            others: Vec::new(),
-            reason: "known".to_owned(),
-            link: None,
+            ..BaselineNote::default()
         };
         let crash = CaseEvent {
             baseline: Some(note),

@@ -54,11 +54,8 @@ fn ran(verdicts: &[(&str, &str, Verdict)]) -> EngineRun {
     let mut run = EngineRun::new(engine_header("iron"));
     for (id, dialect, verdict) in verdicts {
         let note = BaselineNote {
-            at: String::new(),
             verdict: Verdict::Crash,
-            others: Vec::new(),
-            reason: String::new(),
-            link: None,
+            ..BaselineNote::default()
         };
         run.take(&CaseEvent {
             baseline: (*verdict == Verdict::Xfail).then_some(note),

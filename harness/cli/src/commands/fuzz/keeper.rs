@@ -44,11 +44,8 @@ impl Keeper {
             asked,
             part: shard.index(),
             parts: shard.count(),
-            complete: false,
-            programs: 0,
-            disagreements: 0,
-            findings: Vec::new(),
             failing,
+            ..Record::default()
         };
         record.write(store.folder())?;
         Ok(Keeper {

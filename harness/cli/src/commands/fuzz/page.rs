@@ -269,6 +269,7 @@ fn write_unsaved(out: &mut dyn Write, unsaved: &Unsaved) -> io::Result<()> {
 
 /// The findings of a campaign by what is known of them; in each list confirmed findings come before flaky ones, and small
 /// before large.
+#[derive(Default)]
 struct Sorted<'s> {
     /// Each shows a cause of its own.
     new: Vec<&'s Finding>,
@@ -282,11 +283,7 @@ impl<'s> Sorted<'s> {
     fn of(summary: &'s CampaignSummary, known: &'s KnownCauses) -> Sorted<'s> {
         let mut findings: Vec<&Finding> = summary.findings.values().collect();
         findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
-        let mut sorted = Sorted {
-            new: Vec::new(),
-            alike: Vec::new(),
-            shown: Vec::new(),
-        };
+        let mut sorted = Sorted::default();
         for finding in findings {
             let mut others = summary.findings.values();
             match known.of(finding) {

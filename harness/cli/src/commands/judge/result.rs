@@ -27,7 +27,7 @@ pub(super) struct Expected {
 }
 
 /// The result of a trace, as `--json` prints it.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 pub(super) struct TraceResult {
     /// The file of the program.
     pub program: String,
@@ -60,12 +60,9 @@ impl TraceResult {
     /// Returns the result of a trace that has no values.
     pub(super) fn without_values(verdict: &'static str, reason: String) -> TraceResult {
         TraceResult {
-            program: String::new(),
-            trace: String::new(),
             verdict,
             reason: Some(reason),
-            differences: Vec::new(),
-            uses: Vec::new(),
+            ..TraceResult::default()
         }
     }
 
@@ -107,8 +104,6 @@ impl TraceResult {
             }
         }
         TraceResult {
-            program: String::new(),
-            trace: String::new(),
             verdict: match reason {
                 Some(_) => "fault",
                 None if differences.is_empty() => PASS,
@@ -116,7 +111,7 @@ impl TraceResult {
             },
             reason,
             differences,
-            uses: Vec::new(),
+            ..TraceResult::default()
         }
     }
 
