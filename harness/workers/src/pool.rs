@@ -1,9 +1,9 @@
 //! Threads that do tasks, under a supervisor on the caller's thread.
 
-use crate::Reorder;
 use crate::queue::Queue;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::any::Any;
+use std::cell::Cell;
 use std::num::NonZero;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::thread;
@@ -167,18 +167,17 @@ impl WorkerPool {
         E: Send + From<SpawnError>,
     {
         let threads = self.threads.min(items.len()).max(1);
-        let mut mapping = Mapping {
-            items: items.enumerate(),
-            reorder: Reorder::default(),
-            results: Vec::new(),
-            error: None,
-        };
+        let has_failed = Cell::new(false);
+        let items = items.enumerate().take_while(|_| !has_failed.get());
         let numbered = |worker: &mut W, (number, item)| (number, work(worker, item));
-        WorkerPool { threads }.run(open, numbered, &mut mapping)?;
-        match mapping.error {
-            Some((_, error)) => Err(error),
-            None => Ok(mapping.results),
-        }
+        let mut results: Vec<(usize, Result<R, E>)> = Vec::new();
+        let take = |result: (usize, Result<R, E>)| {
+            has_failed.set(has_failed.get() || result.1.is_err());
+            results.push(result);
+        };
+        WorkerPool { threads }.for_each(items, open, numbered, take)?;
+        results.sort_by_key(|(number, _)| *number);
+        results.into_iter().map(|(_, result)| result).collect()
     }
 }
 
@@ -218,36 +217,6 @@ impl<T, R, I: Iterator<Item = T>, F: FnMut(R)> Supervisor<T, R> for Each<I, F> {
 
     fn take(&mut self, result: R) {
         (self.take)(result);
-    }
-}
-
-/// The supervisor of [`WorkerPool::map`].
-struct Mapping<I, R, E> {
-    items: I,
-    reorder: Reorder<R>,
-    results: Vec<R>,
-    /// The earliest error, with the number of its item.
-    error: Option<(usize, E)>,
-}
-
-impl<T, R, E, I> Supervisor<(usize, T), (usize, Result<R, E>)> for Mapping<I, R, E>
-where
-    I: Iterator<Item = (usize, T)>,
-{
-    fn next_task(&mut self) -> Option<(usize, T)> {
-        self.items.next().filter(|_| self.error.is_none())
-    }
-
-    fn take(&mut self, (number, result): (usize, Result<R, E>)) {
-        match result {
-            Ok(result) => self.reorder.put(number, result),
-            // Tasks are begun in order, so none before the earliest error is left out.
-            Err(error) => match &self.error {
-                Some((earliest, _)) if *earliest < number => {}
-                _ => self.error = Some((number, error)),
-            },
-        }
-        self.results.extend(std::iter::from_fn(|| self.reorder.pop()));
     }
 }
 
