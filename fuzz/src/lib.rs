@@ -1,7 +1,6 @@
 //! The parts that the fuzz targets share, and how a failure ends libFuzzer's process.
 //!
 //! Architecture Invariant: nothing is judged here; every oracle is an ordinary function of `stickler-generate`.
-#![forbid(unsafe_code)]
 
 pub use stickler_generate::oracles::FuzzTarget;
 

@@ -10,7 +10,6 @@
 //! puts the folders of several machines together.
 //!
 //! Architecture Invariant: this crate knows no terminal and no command line.
-#![forbid(unsafe_code)]
 
 mod basis;
 mod commands;

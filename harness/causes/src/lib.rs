@@ -31,7 +31,6 @@
 //!
 //! *Architecture invariant:* it knows no report; what it finds depends on the answers of the engine, and on the time only
 //! where a limit of time ends the search.
-#![forbid(unsafe_code)]
 
 mod alone;
 mod claim;

@@ -5,7 +5,6 @@
 //!
 //! [`arguments`] declares the command line, [`commands`] has one module for each command, [`engines`] finds engines by
 //! their names, and [`case_folder`] finds and reads the cases.
-#![forbid(unsafe_code)]
 
 mod arguments;
 mod baselines;

@@ -6,7 +6,6 @@
 //! A [`table`] is shown on a terminal. [`find_function`] and [`all_functions`] look functions up by name.
 //!
 //! Architecture Invariant: this crate knows no command line, and opens no engine.
-#![forbid(unsafe_code)]
 
 pub mod contradictions;
 mod functions;

@@ -11,7 +11,6 @@
 //! - [`ProcessEngine`]: any program that speaks the wire [`protocol`]; [`validate()`] checks one.
 //!
 //! Architecture Invariant: this crate knows neither cases nor verdicts nor reports.
-#![forbid(unsafe_code)]
 
 mod adapters;
 mod closures;

@@ -5,7 +5,6 @@
 //! the editor: arrays of results, or lists of messages of pages that are only compiled. They are judged as a run of any engine is.
 //! [`export_plain`] writes cases for people who have no harness, [`write_data`] what systems do as
 //! one table, and a [`ComplianceStatement`] what the standard demands to be said of a system. The behaviour of a compiler in a single case can also be noted in [`ANSWERS`]; a [`Reason`] says why a case is on no page.
-#![forbid(unsafe_code)]
 
 mod answers;
 mod compiled_page;

@@ -22,7 +22,6 @@
 //! what documents state of conversions, which the caller hands over. [`claims`] is the
 //! one place that counts claims, and [`observations`] the one that compares observations. Nothing here runs, schedules or
 //! judges a case, or knows how an event came about.
-#![forbid(unsafe_code)]
 
 pub mod annotations;
 mod answers;

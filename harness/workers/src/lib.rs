@@ -6,7 +6,6 @@
 //! machines does.
 //!
 //! Architecture Invariant: this crate knows neither engines nor cases. What is done, and in which order, its users say.
-#![forbid(unsafe_code)]
 
 mod cancellation;
 mod pool;
