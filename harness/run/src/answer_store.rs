@@ -83,22 +83,9 @@ pub fn question(case: &Case) -> String {
     // The definition decides the options of an engine that knows them.
     let overrides = case.dialect.definition().map(Dialect::overrides);
     digest.text(&overrides.unwrap_or_default().join("\n"));
-    digest.number(case.scans.into());
-    digest.number(case.observe.len() as u64);
-    for asked in &*case.observe {
-        digest.text(&asked.name).text(&asked.type_name);
-        digest.number(asked.after.map_or(0, u64::from));
-    }
-    digest.number(case.clock.len() as u64);
-    for step in &*case.clock {
-        digest.number(step.before.into());
-        digest.number(step.nanoseconds.cast_unsigned());
-    }
-    digest.number(case.set.len() as u64);
-    for setting in &*case.set {
-        digest.number(setting.before.into());
-        digest.text(&setting.name).text(&setting.value.to_string());
-    }
+    let asked = (case.scans, &*case.observe, &*case.clock, &*case.set);
+    // Numbers and texts always have a form in JSON.
+    digest.text(&serde_json::to_string(&asked).unwrap_or_default());
     // Then more is asked than to run it.
     digest.number(case.expectation.rendered.is_some().into());
     digest.finish()

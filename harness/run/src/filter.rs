@@ -1,8 +1,6 @@
 //! Filters over case ids, the choice of case files that a filter may select, and the selection of cases by a plan.
 
 use crate::Plan;
-use std::convert::Infallible;
-use std::str::FromStr;
 use stickler_suite::{Case, FileKind};
 use stickler_types::DialectName;
 
@@ -83,14 +81,6 @@ impl Filter {
             return format!("{id}@{dialect}").contains(&self.text);
         }
         id.contains(&self.text) || dialect.contains(&self.text)
-    }
-}
-
-impl FromStr for Filter {
-    type Err = Infallible;
-
-    fn from_str(text: &str) -> Result<Filter, Infallible> {
-        Ok(Filter::new(text))
     }
 }
 

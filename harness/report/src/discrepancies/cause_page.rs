@@ -394,7 +394,11 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
             source.engines.join(" and ")
         ),
     };
-    format!("{claim} ({by}: {}, {}{read})", inline(title), inline(kind))
+    format!(
+        "{claim} ({by}: {}, {}{read})",
+        inline(title),
+        inline(kind.as_str())
+    )
 }
 
 /// Adds the types that were seen.
