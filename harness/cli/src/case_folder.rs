@@ -341,7 +341,7 @@ pub fn nothing_selected(plan: &Plan, suite: &Suite) -> Exit {
         "no case is selected: {}",
         why_nothing(plan, suite)
     ));
-    Exit::NothingTested.worst(exit_of(suite))
+    Exit::NothingTested.max(exit_of(suite))
 }
 
 /// Returns what of a plan selects no case, and which cases there are otherwise.

@@ -6,11 +6,11 @@ use stickler_conversions::sweep::foreign::ForeignError;
 use stickler_engines::EngineError;
 use stickler_run::{RunError, Totals, Verdict};
 
-/// The exit codes of the commands.
+/// The exit codes of the commands, in the order in which they outrank each other.
 ///
-/// Where several apply, [`Exit::worst`] decides: an error that kept a command from its work outranks the findings of the
+/// Where several apply, the greatest is reported: an error that kept a command from its work outranks the findings of the
 /// work, so that a pipeline never takes a half-read suite for a verdict on a compiler.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Exit {
     /// All results are as expected.
     AsExpected,
@@ -19,75 +19,46 @@ pub enum Exit {
     /// `matrix`: a cell differs; `conversions`: a value contradicts a document; `lint`: a finding;
     /// `engine --validate`: the adapter follows the protocol, but its compiler is wrong.
     Failures,
+    /// The filters select no case, or the engines support none of the selected cases; `fuzz`: no program was judged.
+    NothingTested,
     /// The command line, a case file, or a named file or folder cannot be used.
     Usage,
     /// An engine could not be run at all; `engines`: a named engine cannot be run; `engine --validate`: the adapter is broken.
     EngineNotRun,
-    /// The filters select no case, or the engines support none of the selected cases; `fuzz`: no program was judged.
-    NothingTested,
     /// The command was stopped by Ctrl-C; the event log lacks its footer.
     Interrupted,
 }
 
-impl Exit {
-    /// Every exit code, in the order of their numbers.
-    pub const ALL: [Exit; 6] = [
-        Exit::AsExpected,
-        Exit::Failures,
-        Exit::Usage,
-        Exit::EngineNotRun,
-        Exit::NothingTested,
-        Exit::Interrupted,
-    ];
+/// The number with which the process ends, and the meaning in one line, of each exit code in the order of [`Exit`].
+///
+/// Basis: harness/docs/testing-a-compiler.md (exit codes); 130 is what shells give a process that SIGINT ended.
+const CODES: [(u8, &str); 6] = [
+    (0, "all is as expected"),
+    (
+        1,
+        "conformance failures (check, eval, render: the program is rejected or faults)",
+    ),
+    (
+        4,
+        "no case selected, or none that the engine supports; fuzz: no program was judged",
+    ),
+    (
+        2,
+        "wrong usage, a broken case file, or a file or folder that cannot be used",
+    ),
+    (3, "an engine could not be run"),
+    (130, "stopped by Ctrl-C"),
+];
 
+impl Exit {
     /// Returns the number with which the process ends.
     pub const fn number(self) -> u8 {
-        self.row().0
-    }
-
-    /// Returns the explanation in one line, for the help text.
-    pub const fn meaning(self) -> &'static str {
-        self.row().2
-    }
-
-    /// Returns the one of two exit codes that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
-    pub fn worst(self, other: Exit) -> Exit {
-        if self.row().1 >= other.row().1 {
-            self
-        } else {
-            other
-        }
+        CODES[self as usize].0
     }
 
     /// Returns the exit code where something holds, and otherwise that all is as expected.
     pub const fn when(self, holds: bool) -> Exit {
         if holds { self } else { Exit::AsExpected }
-    }
-
-    /// Returns the number of the exit code, its rank among several, and its meaning.
-    ///
-    /// Basis: harness/docs/testing-a-compiler.md (exit codes); 130 is what shells give a process that SIGINT ended.
-    const fn row(self) -> (u8, u8, &'static str) {
-        match self {
-            Exit::AsExpected => (0, 0, "all is as expected"),
-            Exit::Failures => (
-                1,
-                1,
-                "conformance failures (check, eval, render: the program is rejected or faults)",
-            ),
-            Exit::Usage => (
-                2,
-                3,
-                "wrong usage, a broken case file, or a file or folder that cannot be used",
-            ),
-            Exit::EngineNotRun => (3, 4, "an engine could not be run"),
-            Exit::NothingTested => (
-                4,
-                2,
-                "no case selected, or none that the engine supports; fuzz: no program was judged",
-            ),
-            Exit::Interrupted => (130, 5, "stopped by Ctrl-C"),
-        }
     }
 }
 
@@ -156,8 +127,10 @@ pub struct SpeaksNone {
 
 /// Returns the list of exit codes that `--help` shows.
 pub fn listing() -> String {
-    let line = |exit: Exit| format!("  {:>3}  {}\n", exit.number(), exit.meaning());
-    let lines = Exit::ALL.map(line).concat();
+    let mut codes = CODES;
+    codes.sort_unstable();
+    let lines = codes.map(|(number, meaning)| format!("  {number:>3}  {meaning}\n"));
+    let lines = lines.concat();
     format!("Exit codes:\n{lines}Where several apply: 130 over 3 over 2 over 4 over 1.")
 }
 
@@ -182,18 +155,18 @@ mod tests {
 
     #[test]
     fn what_kept_a_command_from_its_work_outranks_what_the_work_found() {
-        assert_eq!(Exit::Failures.worst(Exit::Usage), Exit::Usage);
-        assert_eq!(Exit::Usage.worst(Exit::Failures), Exit::Usage);
-        assert_eq!(Exit::NothingTested.worst(Exit::Usage), Exit::Usage);
-        assert_eq!(Exit::EngineNotRun.worst(Exit::Interrupted), Exit::Interrupted);
-        assert_eq!(Exit::AsExpected.worst(Exit::Failures), Exit::Failures);
+        let findings = [Exit::AsExpected, Exit::Failures, Exit::NothingTested];
+        let obstacles = [Exit::Usage, Exit::EngineNotRun, Exit::Interrupted];
+        assert!([findings, obstacles].concat().is_sorted());
+        assert_eq!(findings.map(Exit::number), [0, 1, 4]);
+        assert_eq!(obstacles.map(Exit::number), [2, 3, 130]);
     }
 
     #[test]
     fn the_manual_has_the_same_list() {
         let manual = include_str!("../../docs/testing-a-compiler.md");
-        for exit in Exit::ALL {
-            let row = format!("\n| {} | {} |\n", exit.number(), exit.meaning());
+        for (number, meaning) in CODES {
+            let row = format!("\n| {number} | {meaning} |\n");
             assert!(manual.contains(&row), "{row}");
         }
     }

@@ -89,7 +89,7 @@ fn export_pages(
     };
     let exported = export(&plan, &selected, &arguments.folder)?;
     show(&exported, dialect, arguments, out)?;
-    Ok(exit(&exported).worst(case_folder::exit_of(&suite)))
+    Ok(exit(&exported).max(case_folder::exit_of(&suite)))
 }
 
 /// Exports the questions of a recording as open cases.

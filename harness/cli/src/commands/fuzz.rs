@@ -152,7 +152,7 @@ fn run(
     let summary = summary?;
     let unsaved = keeper.end(&summary);
     page::end(out, &summary, known, &unsaved)?;
-    Ok(exit(&summary).worst(unsaved.exit()))
+    Ok(exit(&summary).max(unsaved.exit()))
 }
 
 fn exit(summary: &CampaignSummary) -> Exit {

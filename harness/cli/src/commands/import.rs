@@ -190,7 +190,7 @@ fn exit(imported: &Imported) -> Exit {
         0 => Exit::Usage,
         _ => exit::of_totals(&summary.totals, summary.outdated > 0),
     };
-    judged.worst(Exit::Usage.when(imported.unjudged > 0))
+    judged.max(Exit::Usage.when(imported.unjudged > 0))
 }
 
 /// Gathers the answers for the file that `--record` names.

@@ -87,11 +87,11 @@ impl Judge<'_, '_> {
                 )),
             };
             match judged {
-                Ok(of_file) => exit = exit.worst(of_file),
+                Ok(of_file) => exit = exit.max(of_file),
                 Err(error) => {
                     out.flush()?;
                     output::error(&error);
-                    exit = exit.worst(Exit::Usage);
+                    exit = exit.max(Exit::Usage);
                 }
             }
         }
@@ -119,7 +119,7 @@ impl Judge<'_, '_> {
         for (number, trace) in (1..).zip(&traces) {
             let mut result = match &program {
                 Ok((judged, variables)) => self.trace(judged, variables, trace).unwrap_or_else(|error| {
-                    exit = exit.worst(Exit::Usage);
+                    exit = exit.max(Exit::Usage);
                     TraceResult::without_values("misfit", format!("{error:#}"))
                 }),
                 Err(reason) => TraceResult::without_values("rejected", reason.clone()),
@@ -133,7 +133,7 @@ impl Judge<'_, '_> {
             self.traces += 1;
             if !result.is_pass() {
                 self.failed += 1;
-                exit = exit.worst(Exit::Failures);
+                exit = exit.max(Exit::Failures);
             }
             match self.arguments.json {
                 true => output::json_line(out, &result)?,

@@ -34,7 +34,7 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
     Ok(severities
         .chain(refused.iter().map(|_| LintSeverity::Error))
         .map(exit)
-        .fold(Exit::AsExpected, Exit::worst))
+        .fold(Exit::AsExpected, Exit::max))
 }
 
 fn write(finding: &LintFinding, out: &mut dyn Write) -> io::Result<()> {

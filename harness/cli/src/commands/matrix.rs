@@ -82,7 +82,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
             out.flush()?;
         }
         if matrix.differs() {
-            exit = exit.worst(Exit::Failures);
+            exit = exit.max(Exit::Failures);
         }
     }
     match questions {

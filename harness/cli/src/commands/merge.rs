@@ -89,7 +89,7 @@ fn of_campaign(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
         )?;
     }
     let found = Exit::Failures.when(!findings.is_empty());
-    Ok(found.worst(Exit::Usage.when(!missing.is_empty())))
+    Ok(found.max(Exit::Usage.when(!missing.is_empty())))
 }
 
 fn first_line(text: &str) -> &str {
@@ -129,7 +129,7 @@ fn of_run(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exi
     let has_broken_files = headers.any(|header| !header.broken_files.is_empty());
     let fails = overview.outdated().next().is_some() || overview.lacking() > 0;
     let partial = Exit::Usage.when(!missing.is_empty() || has_broken_files);
-    Ok(exit::of_totals(&overview.sum(), fails).worst(partial))
+    Ok(exit::of_totals(&overview.sum(), fails).max(partial))
 }
 
 /// Opens the event log of one part; returns it with its name.

@@ -144,7 +144,7 @@ fn run(
         from_cache: summary.as_ref().map_or(0, |summary| summary.from_cache),
     };
     terminal::write(out, &overview, around)?;
-    let exit = exit(&summary?).worst(case_folder::exit_of(&suite));
+    let exit = exit(&summary?).max(case_folder::exit_of(&suite));
     // The process is about to end, and freeing hundreds of thousands of cases one by one takes it a while.
     std::mem::forget(suite);
     Ok(exit)

@@ -38,14 +38,14 @@ pub fn execute(arguments: &SourcesArguments, out: &mut dyn Write) -> anyhow::Res
         false => write(&quotes, folder, out)?,
     }
     if quotes.is_empty() {
-        exit = exit.worst(Exit::NothingTested);
+        exit = exit.max(Exit::NothingTested);
     }
     let exits = quotes.iter().map(|quote| match quote.result {
         QuoteResult::Found => Exit::AsExpected,
         QuoteResult::NotInPage => Exit::Failures,
         QuoteResult::NoPage => Exit::Usage,
     });
-    Ok(exits.fold(exit, Exit::worst))
+    Ok(exits.fold(exit, Exit::max))
 }
 
 fn write(quotes: &[CheckedQuote<'_>], folder: &Path, out: &mut dyn Write) -> io::Result<()> {

@@ -33,7 +33,7 @@ pub fn execute(path: &Path, arguments: &FuzzArguments, out: &mut dyn Write) -> a
     let mut exit = Exit::AsExpected;
     for target in &arguments.target {
         let judged = target.judge(&bytes);
-        exit = exit.worst(Exit::Failures.when(judged.is_err()));
+        exit = exit.max(Exit::Failures.when(judged.is_err()));
         write_judged(&name, *target, &judged, out)?;
     }
     Ok(exit)
