@@ -40,7 +40,7 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
         None => (reproduction, None),
     };
     if let [_, _, ..] = subjects[..] {
-        output::note(format!("this is the case in {}", subject.dialect()));
+        output::note(format!("this is the case in {}", subject.case.dialect));
     }
     let unwritten = || format!("cannot write to {}", folder.display());
     let names = reproduction.write(folder).with_context(unwritten)?;
@@ -120,7 +120,7 @@ fn first_shown<'s>(
 ) -> anyhow::Result<(&'s ReproducedProgram, Reproduction)> {
     let mut reason = None;
     for subject in subjects {
-        match compiler.reproduce(&subject.request(), subject.ability(None)) {
+        match compiler.reproduce(&subject.case.request(), subject.ability(None)) {
             Ok(reproduction) => return Ok((subject, reproduction)),
             Err(error) => reason = reason.or(Some(error)),
         }
@@ -161,7 +161,7 @@ fn shown_here(
     engine: &dyn Engine,
     subject: &ReproducedProgram,
 ) -> Result<(Reproduction, Option<String>), NoReproduction> {
-    let request = subject.request();
+    let request = subject.case.request();
     let session = engine.session().ok();
     let outcome = session.map(|mut session| session.run(&request));
     let ability = subject.ability(outcome.as_ref());

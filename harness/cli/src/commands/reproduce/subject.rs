@@ -5,28 +5,18 @@ use crate::named_case::NamedCase;
 use crate::source_file;
 use anyhow::{Context, bail};
 use std::path::Path;
-use stickler_engines::{Ability, Observation, Outcome, RunRequest};
+use stickler_engines::{Ability, Outcome};
 use stickler_run::{Fact, expected_facts, shown_by};
 use stickler_suite::{Case, Sources};
 use stickler_syntax::decoding::decode;
-use stickler_types::DialectName;
 
 /// A program that is reproduced, from a case or a file.
-pub(super) enum ReproducedProgram {
-    /// A case.
-    Case {
-        case: Box<Case>,
-        /// The address of its basis, where that has one.
-        address: Option<String>,
-    },
-    /// A file.
-    File {
-        name: String,
-        source: String,
-        dialect: DialectName,
-        observe: Vec<Observation>,
-        scans: u32,
-    },
+pub(super) struct ReproducedProgram {
+    /// The case; of a file one that expects nothing.
+    pub(super) case: Case,
+    /// The address of its basis, where that has one.
+    address: Option<String>,
+    is_file: bool,
 }
 
 impl ReproducedProgram {
@@ -64,9 +54,10 @@ impl ReproducedProgram {
         let named = NamedCase::load(name, arguments.cases.as_deref())?;
         let cases = named.cases().into_iter();
         Ok(cases
-            .map(|case| ReproducedProgram::Case {
+            .map(|case| ReproducedProgram {
                 address: address(&named.suite.sources, &case.basis),
-                case: Box::new(case.without_blank_lines()),
+                case: case.without_blank_lines(),
+                is_file: false,
             })
             .collect())
     }
@@ -74,47 +65,23 @@ impl ReproducedProgram {
     fn file(arguments: &ReproduceArguments, path: &Path) -> anyhow::Result<ReproducedProgram> {
         let (bytes, name) = source_file::read(path)?;
         let dialect = arguments.dialect;
-        Ok(ReproducedProgram::File {
-            name,
-            source: decode(&bytes).0.into_owned(),
-            dialect: dialect.context("name the dialect of the file with --dialect")?,
-            observe: arguments.observe.clone(),
+        let dialect = dialect.context("name the dialect of the file with --dialect")?;
+        let case = Case {
+            observe: arguments.observe.clone().into(),
             scans: arguments.scans,
+            ..Case::of_program(&name, dialect, &decode(&bytes).0)
+        };
+        Ok(ReproducedProgram {
+            case,
+            address: None,
+            is_file: true,
         })
-    }
-
-    pub(super) fn dialect(&self) -> DialectName {
-        match self {
-            ReproducedProgram::Case { case, .. } => case.dialect,
-            ReproducedProgram::File { dialect, .. } => *dialect,
-        }
-    }
-
-    pub(super) fn request(&self) -> RunRequest<'_> {
-        match self {
-            ReproducedProgram::Case { case, .. } => case.request(),
-            ReproducedProgram::File {
-                source,
-                dialect,
-                observe,
-                scans,
-                ..
-            } => RunRequest {
-                scans: *scans,
-                ..RunRequest::once(*dialect, source, observe)
-            },
-        }
     }
 
     /// Returns the ability that shows what matters of the program; `outcome` is what the engine does, where it is here. What
     /// becomes of an accepted program shows only when it is executed.
     pub(super) fn ability(&self, outcome: Option<&Outcome>) -> Ability {
-        let usual = match self {
-            ReproducedProgram::Case { case, .. } => shown_by(case),
-            ReproducedProgram::File { observe, .. } if observe.is_empty() => Ability::Check,
-            ReproducedProgram::File { .. } => Ability::Execute,
-        };
-        match (usual, outcome) {
+        match (shown_by(&self.case), outcome) {
             (Ability::Render, _) => Ability::Render,
             (
                 _,
@@ -131,22 +98,20 @@ impl ReproducedProgram {
 
     /// Returns the heading of a page, and what stands below it.
     pub(super) fn heading(&self) -> (String, &str) {
-        match self {
-            ReproducedProgram::Case { case, .. } => (case.key(), &case.title),
-            ReproducedProgram::File { name, .. } => (name.clone(), ""),
+        match self.is_file {
+            true => (self.case.id.to_string(), ""),
+            false => (self.case.key(), &self.case.title),
         }
     }
 
     /// Returns the expectation in the words of reports, and where it comes from.
     pub(super) fn expected(&self) -> Option<(String, String)> {
-        let ReproducedProgram::Case { case, address } = self else {
+        if self.is_file {
             return None;
-        };
-        let from = address
-            .as_ref()
-            .map(|address| format!(", {address}"))
-            .unwrap_or_default();
-        Some((Fact::text(&expected_facts(case)), format!("{}{from}", case.basis)))
+        }
+        let from = self.address.as_ref().map(|address| format!(", {address}"));
+        let basis = format!("{}{}", self.case.basis, from.unwrap_or_default());
+        Some((Fact::text(&expected_facts(&self.case)), basis))
     }
 }
 
