@@ -36,11 +36,7 @@ impl CaseFolder {
     /// A name that is no folder, or no folder found and none that the carried cases can be unpacked into.
     pub fn locate(named: Option<&Path>) -> anyhow::Result<CaseFolder> {
         match named {
-            Some(path) if path.is_dir() => Ok(CaseFolder {
-                path: path.to_owned(),
-                root: PathBuf::new(),
-                is_carried: false,
-            }),
+            Some(path) if path.is_dir() => Ok(CaseFolder::here(path.to_owned())),
             Some(path) if path.exists() => bail!("{} is no folder", path.display()),
             Some(path) => bail!("there is no folder {}", path.display()),
             None => {
@@ -49,12 +45,20 @@ impl CaseFolder {
                 match CaseFolder::search(&here, program.ok().as_deref()) {
                     Some(found) => Ok(found),
                     None => Ok(CaseFolder {
-                        path: carried_cases::unpacked(NAME)?,
-                        root: PathBuf::new(),
                         is_carried: true,
+                        ..CaseFolder::here(carried_cases::unpacked(NAME)?)
                     }),
                 }
             }
+        }
+    }
+
+    /// Returns a folder of cases whose reports belong to the current folder.
+    fn here(path: PathBuf) -> CaseFolder {
+        CaseFolder {
+            path,
+            root: PathBuf::new(),
+            is_carried: false,
         }
     }
 
@@ -81,17 +85,13 @@ impl CaseFolder {
             // Paths are shown to the user, so a short one is better.
             let root = if root == here { PathBuf::new() } else { root };
             return Some(CaseFolder {
-                path: root.join(NAME),
-                root,
-                is_carried: false,
+                root: root.clone(),
+                ..CaseFolder::here(root.join(NAME))
             });
         }
         // Reports belong to the current folder, not to the clone in which the program was built.
-        program.and_then(above).map(|clone| CaseFolder {
-            path: clone.join(NAME),
-            root: PathBuf::new(),
-            is_carried: false,
-        })
+        let clone = program.and_then(above);
+        clone.map(|clone| CaseFolder::here(clone.join(NAME)))
     }
 
     /// Reads all cases, with those that one edition of a compiler repeats of another, and reports mistakes in their files on stderr. Of the
@@ -286,12 +286,9 @@ fn report_mistakes(suite: &Suite) {
     for error in &suite.errors {
         output::error(&anyhow::anyhow!("{error}"));
     }
-    match suite.errors.len() {
-        0 => {}
-        1 => output::note("1 mistake in case files; the rest of the cases is used"),
-        number => output::note(format!(
-            "{number} mistakes in case files; the rest of the cases is used"
-        )),
+    if !suite.errors.is_empty() {
+        let mistakes = counted(suite.errors.len() as u64, "mistake", "mistakes");
+        output::note(format!("{mistakes} in case files; the rest of the cases is used"));
     }
 }
 

@@ -75,13 +75,8 @@ impl DialectMatrix {
     /// Adds the answers of recordings for the types of the table.
     pub fn add_recorded(&mut self, recordings: &[&Recording]) {
         for recording in recordings {
-            let of_row = |row: &ElementaryType| {
-                let row = *row;
-                self.types.iter().map(move |column| (row, *column))
-            };
-            let pairs = self.types.iter().flat_map(of_row);
             let answer = |pair| Some((pair, recording.implicit(self.dialect, pair)?));
-            let answers = pairs.filter_map(answer).collect();
+            let answers = pairs(&self.types).filter_map(answer).collect();
             let engine = recording.identity().name;
             self.engines.push(EngineAnswers {
                 engine,
@@ -198,6 +193,12 @@ impl DialectMatrix {
         }
         Cell::new(pieces, Alignment::Right)
     }
+}
+
+/// Returns each type with each type, row by row.
+pub fn pairs(types: &[ElementaryType]) -> impl Iterator<Item = TypePair> {
+    let of_row = move |row| types.iter().map(move |column| (row, *column));
+    types.iter().copied().flat_map(of_row)
 }
 
 fn sign(answer: MatrixAnswer) -> char {

@@ -8,6 +8,7 @@ use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_engines::Compiler;
 use stickler_suite::{LintFinding, LintSeverity};
+use stickler_types::counted;
 
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 
@@ -27,8 +28,7 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
     }
     match findings.len() + refused.len() {
         0 => writeln!(out, "{}: nothing to complain about", folder.path.display())?,
-        1 => writeln!(out, "\n1 finding")?,
-        number => writeln!(out, "\n{number} findings")?,
+        number => writeln!(out, "\n{}", counted(number as u64, "finding", "findings"))?,
     }
     let severities = findings.iter().map(|finding| finding.severity);
     Ok(severities

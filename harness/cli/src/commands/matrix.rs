@@ -4,7 +4,7 @@ use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
-use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
+use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers, pairs};
 use crate::progress::Progress;
 use crate::{documented, engines, interrupt, run_plan, shell};
 use std::io::{self, Write};
@@ -139,8 +139,7 @@ fn gather(
         .into_iter()
         .filter(|ty| !FURTHER.contains(ty) || named(ty))
         .collect();
-    let of_row = |row: ElementaryType| types.iter().map(move |column| (row, *column));
-    let pairs: Vec<TypePair> = types.iter().flat_map(|row| of_row(*row)).collect();
+    let pairs: Vec<TypePair> = pairs(&types).collect();
     let bar = Progress::new((pairs.len() * engines.len()) as u64);
     let mut columns = Vec::with_capacity(engines.len());
     for named in engines {

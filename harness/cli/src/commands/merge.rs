@@ -14,6 +14,7 @@ use stickler_report::Reports;
 use stickler_report::events::{self, Reader};
 use stickler_report::parts::{self, RunPart};
 use stickler_report::terminal::{self, Surroundings};
+use stickler_types::counted;
 
 /// Merges the parts of a run or of a campaign, depending on the contents of the folders.
 ///
@@ -75,9 +76,8 @@ fn of_campaign(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     for sentence in &missing {
         output::note(sentence);
     }
-    let number = findings.len();
-    let noun = if number == 1 { "finding" } else { "findings" };
-    writeln!(out, "{number} {noun} in {}", store.folder().display())?;
+    let number = counted(findings.len() as u64, "finding", "findings");
+    writeln!(out, "{number} in {}", store.folder().display())?;
     for finding in findings.values() {
         writeln!(
             out,

@@ -80,16 +80,18 @@ impl<'p> SweepPage<'p> {
             self.cut_short(sweep, found)?;
         }
         let so_far = if found.is_complete() { "" } else { " so far" };
-        let seconds = took.as_secs_f64();
-        match found.mismatches {
-            0 => writeln!(self.out, "  no mismatch{so_far}, {seconds:.1} s")?,
-            _ => {
-                let count = counted(found.mismatches, "mismatch", "mismatches");
-                writeln!(self.out, "  {BAD}{count}{so_far}{BAD:#}, {seconds:.1} s")?;
-                self.differences(&found.first, found.mismatches)?;
-            }
+        let about = format!("{so_far}, {:.1} s", took.as_secs_f64());
+        self.mismatches(found.mismatches, &about, &found.first)
+    }
+
+    /// Writes the number of mismatches and what is said `about` it, and the first of them.
+    pub(super) fn mismatches(&mut self, number: u64, about: &str, first: &[Difference]) -> io::Result<()> {
+        if number == 0 {
+            return writeln!(self.out, "  no mismatch{about}");
         }
-        Ok(())
+        let count = counted(number, "mismatch", "mismatches");
+        writeln!(self.out, "  {BAD}{count}{BAD:#}{about}")?;
+        self.differences(first, number)
     }
 
     /// Writes the first differences, and how many more there are.
@@ -140,8 +142,11 @@ impl<'p> SweepPage<'p> {
     pub fn not_begun(&mut self, sweeps: usize) -> io::Result<()> {
         match sweeps {
             0 => Ok(()),
-            1 => writeln!(self.out, "1 sweep was not begun"),
-            _ => writeln!(self.out, "{sweeps} sweeps were not begun"),
+            _ => writeln!(
+                self.out,
+                "{} not begun",
+                counted(sweeps as u64, "sweep was", "sweeps were")
+            ),
         }
     }
 

@@ -1,7 +1,6 @@
 //! The part of the page for sweeps through programs: mismatches, observations and inputs without an answer.
 
 use super::page::{SweepPage, shown};
-use crate::output::BAD;
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
@@ -20,15 +19,8 @@ impl SweepPage<'_> {
         }
         let answered = counted(found.answered(), "answered input", "answered inputs");
         let programs = counted(found.programs, "program", "programs");
-        let about = format!("among {answered}, {programs}, {:.1} s", took.as_secs_f64());
-        match found.mismatches {
-            0 => writeln!(self.out, "  no mismatch {about}")?,
-            count => {
-                let count = counted(count, "mismatch", "mismatches");
-                writeln!(self.out, "  {BAD}{count}{BAD:#} {about}")?;
-                self.differences(&found.first, found.mismatches)?;
-            }
-        }
+        let about = format!(" among {answered}, {programs}, {:.1} s", took.as_secs_f64());
+        self.mismatches(found.mismatches, &about, &found.first)?;
         self.unexamined(found.unexamined)?;
         if found.unexplained > 0 {
             let inputs = counted(found.unexplained, "input has", "inputs have");
