@@ -310,15 +310,9 @@ fn fingerprint(program: Option<&str>, input: &[u8]) -> String {
 
 /// Lower-case letters, digits and hyphens alone, so that any file system takes it.
 fn file_name(name: &str) -> String {
-    let mut text = String::with_capacity(name.len());
-    for character in name.chars() {
-        if character.is_ascii_alphanumeric() {
-            text.push(character.to_ascii_lowercase());
-        } else if !text.ends_with('-') {
-            text.push('-');
-        }
-    }
-    text.trim_matches('-').to_owned()
+    let words = name.split(|character: char| !character.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    words.join("-").to_ascii_lowercase()
 }
 
 #[cfg(test)]
