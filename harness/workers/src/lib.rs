@@ -9,10 +9,10 @@
 
 mod cancellation;
 mod pool;
-mod queue;
+mod reorder;
 mod shard;
 
 pub use cancellation::Cancellation;
 pub use pool::{SpawnError, Supervisor, WorkerPool};
-pub use queue::Reorder;
+pub use reorder::Reorder;
 pub use shard::{Shard, ShardError};

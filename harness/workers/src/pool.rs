@@ -1,11 +1,12 @@
 //! Threads that do tasks, under a supervisor on the caller's thread.
 
-use crate::queue::Queue;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::any::Any;
 use std::cell::Cell;
 use std::num::NonZero;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 /// The stack of a thread: an engine in this process may recurse as deep as its own limits allow, for which the usual two
@@ -89,12 +90,13 @@ impl WorkerPool {
             .stack_size(STACK_SIZE)
             .build()
             .map_err(SpawnError)?;
-        let (tasks, messages) = (Queue::default(), Queue::default());
+        let (tasks, taken) = mpsc::channel();
+        let (messages, answers) = mpsc::channel();
+        let taken = Mutex::new(taken);
         threads.in_place_scope(|scope| {
-            // The threads end when the tasks are closed, however this closure ends.
-            let _closing = tasks.close_on_drop();
-            scope.spawn_broadcast(|_, _| work_until_closed(&open, &work, &tasks, &messages));
-            self.supervise(supervisor, &tasks, &messages)
+            scope.spawn_broadcast(|_, _| work_until_closed(&open, &work, &taken, &messages));
+            // The threads end when the sender of tasks is dropped, however this ends.
+            self.supervise(supervisor, tasks, &answers)
         })
     }
 
@@ -102,13 +104,13 @@ impl WorkerPool {
     fn supervise<T, R, E>(
         self,
         supervisor: &mut dyn Supervisor<T, R>,
-        tasks: &Queue<T>,
-        messages: &Queue<WorkerMessage<R, E>>,
+        tasks: Sender<T>,
+        messages: &Receiver<WorkerMessage<R, E>>,
     ) -> Result<(), E> {
         // To open a worker is the first thing that each thread does.
         let (mut opening, mut under_way) = (self.threads, self.threads);
         while under_way > 0
-            && let Some(message) = messages.pop()
+            && let Ok(message) = messages.recv()
         {
             under_way -= 1;
             match message {
@@ -122,8 +124,8 @@ impl WorkerPool {
             while opening == 0
                 && under_way < self.threads * MAX_TASKS_PER_THREAD
                 && let Some(task) = supervisor.next_task()
+                && tasks.send(task).is_ok()
             {
-                tasks.push(task);
                 under_way += 1;
             }
         }
@@ -185,22 +187,25 @@ impl WorkerPool {
 fn work_until_closed<W, T, R, E>(
     open: &(impl Fn() -> Result<W, E> + Sync),
     work: &(impl Fn(&mut W, T) -> R + Sync),
-    tasks: &Queue<T>,
-    messages: &Queue<WorkerMessage<R, E>>,
+    tasks: &Mutex<Receiver<T>>,
+    messages: &Sender<WorkerMessage<R, E>>,
 ) {
+    // The caller's thread, which panics itself, may be gone.
+    let send = |message| drop(messages.send(message));
+    let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).recv();
     // Nothing of the worker is used any more after a panic.
     let life = catch_unwind(AssertUnwindSafe(|| {
         let mut worker = match open() {
             Ok(worker) => worker,
-            Err(error) => return messages.push(WorkerMessage::Opened(Err(error))),
+            Err(error) => return send(WorkerMessage::Opened(Err(error))),
         };
-        messages.push(WorkerMessage::Opened(Ok(())));
-        while let Some(task) = tasks.pop() {
-            messages.push(WorkerMessage::Done(work(&mut worker, task)));
+        send(WorkerMessage::Opened(Ok(())));
+        while let Ok(task) = next() {
+            send(WorkerMessage::Done(work(&mut worker, task)));
         }
     }));
     if let Err(panic) = life {
-        messages.push(WorkerMessage::Panicked(panic));
+        send(WorkerMessage::Panicked(panic));
     }
 }
 
