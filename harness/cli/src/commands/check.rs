@@ -25,10 +25,7 @@ pub fn execute(arguments: &CheckArguments, out: &mut dyn Write) -> anyhow::Resul
     let program = Program::read(&arguments.program.files)?;
     let dialect = arguments.program.dialect;
     let (text, diagnostics) = stickler_reference::check_bytes(&program.bytes, dialect);
-    let exit = match diagnostics.iter().any(Diagnostic::is_error) {
-        true => Exit::Failures,
-        false => Exit::AsExpected,
-    };
+    let exit = Exit::Failures.when(diagnostics.iter().any(Diagnostic::is_error));
     if arguments.json {
         let files = program.by_file(diagnostics);
         let is_one = files.len() == 1;

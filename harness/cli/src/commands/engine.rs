@@ -10,6 +10,7 @@ use std::env;
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
+use stickler_types::shortened;
 
 /// Answers requests on stdin until `bye` or its end, or validates an adapter by the requests of the smoke set.
 ///
@@ -108,17 +109,8 @@ const MAX_LINE_LEN: usize = 2000;
 
 fn excerpt(line: &str) -> String {
     // A control character of an adapter must not steer the terminal.
-    let shown: String = line
-        .chars()
-        .filter(|character| !character.is_control())
-        .take(MAX_LINE_LEN)
-        .collect();
-    let more = if line.chars().nth(MAX_LINE_LEN).is_some() {
-        "…"
-    } else {
-        ""
-    };
-    format!("{shown}{more}")
+    let shown = line.replace(char::is_control, "");
+    shortened(&shown, MAX_LINE_LEN)
 }
 
 fn conclusion(validation: &Validation) -> String {
