@@ -160,7 +160,7 @@ fn similar<'n>(
     let allowed = if name.len() < 6 { 1 } else { MAX_CHANGES };
     let mut near: Vec<_> = known
         .filter(|other| other.may_be_similar(wanted, allowed))
-        .filter_map(|other| Some((distance(name, other.name)?, other.name)))
+        .map(|other| (distance(name, other.name), other.name))
         .filter(|&(changes, other)| changes > 0 && changes <= allowed && exists(other))
         .collect();
     near.sort_unstable();
