@@ -344,12 +344,8 @@ fn group(all: &[Expression], id: ExpressionId) -> String {
         ExpressionKind::EnumeratedValue(word) => format!("{}#{}", word.prefix().text, word.value().text),
         ExpressionKind::Parenthesized(inner) => format!("[{}]", group(all, *inner)),
         ExpressionKind::Unary { operator, operand } => {
-            let sign = match operator {
-                UnaryOperator::Negate => "-",
-                UnaryOperator::Plus => "+",
-                UnaryOperator::Not => "NOT ",
-            };
-            format!("({sign}{})", group(all, *operand))
+            let blank = if *operator == UnaryOperator::Not { " " } else { "" };
+            format!("({operator}{blank}{})", group(all, *operand))
         }
         ExpressionKind::Binary {
             operator,

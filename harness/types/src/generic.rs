@@ -3,36 +3,13 @@
 use crate::{ElementaryType, words};
 
 words! {
-    /// A generic data type, with its name.
+    /// A generic data type, with its name. ANY takes every type, user-defined ones among them, and ANY_BIT takes BOOL.
     ///
     /// Basis: iec-61131-3: Figure 5 (hierarchy of the generic data types).
-    GenericType {
-        /// `ANY`: every type, user-defined ones among them.
-        Any = "ANY",
-        /// `ANY_ELEMENTARY`.
-        Elementary = "ANY_ELEMENTARY",
-        /// `ANY_SIGNED`.
-        Signed = "ANY_SIGNED",
-        /// `ANY_UNSIGNED`.
-        Unsigned = "ANY_UNSIGNED",
-        /// `ANY_INT`.
-        Int = "ANY_INT",
-        /// `ANY_REAL`.
-        Real = "ANY_REAL",
-        /// `ANY_NUM`.
-        Num = "ANY_NUM",
-        /// `ANY_BIT`, with BOOL.
-        Bit = "ANY_BIT",
-        /// `ANY_DURATION`.
-        Duration = "ANY_DURATION",
-        /// `ANY_DATE`.
-        Date = "ANY_DATE",
-        /// `ANY_STRING`.
-        String = "ANY_STRING",
-        /// `ANY_CHARS`.
-        Chars = "ANY_CHARS",
-        /// `ANY_CHAR`.
-        Char = "ANY_CHAR",
+    GenericType spelled {
+        Any = "ANY", Elementary = "ANY_ELEMENTARY", Signed = "ANY_SIGNED", Unsigned = "ANY_UNSIGNED",
+        Int = "ANY_INT", Real = "ANY_REAL", Num = "ANY_NUM", Bit = "ANY_BIT", Duration = "ANY_DURATION",
+        Date = "ANY_DATE", String = "ANY_STRING", Chars = "ANY_CHARS", Char = "ANY_CHAR",
     }
 }
 

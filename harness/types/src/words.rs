@@ -1,8 +1,14 @@
 //! Enumerations whose variants are spelled as words in files and on the command line.
 
-/// Declares an enumeration and the word of each variant, as which a variant is displayed.
+/// Declares an enumeration and the word of each variant, as which a variant is displayed. Behind `spelled` stand variants of which their words
+/// say all.
 #[macro_export]
 macro_rules! words {
+    ($(#[$about:meta])* $name:ident spelled { $($word:ident = $text:literal,)* }) => {
+        $crate::words! {
+            $(#[$about])* $name { $(#[doc = concat!("`", $text, "`")] $word = $text,)* }
+        }
+    };
     ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
         $(#[$about])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

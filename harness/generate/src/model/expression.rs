@@ -179,35 +179,9 @@ pub enum UnaryOperator {
 
 words! {
     /// Infix operators.
-    BinaryOperator {
-        /// `+`
-        Add = "+",
-        /// `-`
-        Subtract = "-",
-        /// `*`
-        Multiply = "*",
-        /// `/`
-        Divide = "/",
-        /// `MOD`
-        Modulo = "MOD",
-        /// `AND`
-        And = "AND",
-        /// `OR`
-        Or = "OR",
-        /// `XOR`
-        Xor = "XOR",
-        /// `=`
-        Equal = "=",
-        /// `<>`
-        NotEqual = "<>",
-        /// `<`
-        Less = "<",
-        /// `<=`
-        LessOrEqual = "<=",
-        /// `>`
-        Greater = ">",
-        /// `>=`
-        GreaterOrEqual = ">=",
+    BinaryOperator spelled {
+        Add = "+", Subtract = "-", Multiply = "*", Divide = "/", Modulo = "MOD", And = "AND", Or = "OR", Xor = "XOR",
+        Equal = "=", NotEqual = "<>", Less = "<", LessOrEqual = "<=", Greater = ">", GreaterOrEqual = ">=",
     }
 }
 

@@ -354,7 +354,7 @@ impl<'m> Lowering<'m> {
         let is_defined = |ty: &_| defined(operator, inferred, dialect) && defined_for(operator, *ty, dialect);
         let Some(ty) = value.ty.elementary().filter(is_defined) else {
             let name = self.model.types.name(value.ty);
-            let message = format!("`{}` is not defined for {name}", symbol(operator));
+            let message = format!("`{operator}` is not defined for {name}");
             self.report(Code::OperatorOperandTypeMismatch, span, message);
             return LoweredValue::ERROR;
         };
@@ -424,14 +424,6 @@ pub(super) fn fitting(ty: ElementaryType, number: Option<i128>) -> Option<u64> {
     let (low, high) = ty.integer_range()?;
     let number = number.filter(|number| (low..=high).contains(number))?;
     Some(ty.wrap(number))
-}
-
-fn symbol(operator: UnaryOperator) -> &'static str {
-    match operator {
-        UnaryOperator::Negate => "-",
-        UnaryOperator::Plus => "+",
-        UnaryOperator::Not => "NOT",
-    }
 }
 
 /// Returns the conversion of a value that was computed with promoted operands to the narrower type that it has for the checker.

@@ -70,11 +70,8 @@ impl<'u, 's> Writer<'u, 's> {
                 return self.names.result(of);
             }
             ExpressionKind::Unary { operator, operand } => {
-                self.put(match operator {
-                    UnaryOperator::Negate => "-",
-                    UnaryOperator::Plus => "+",
-                    UnaryOperator::Not => "NOT ",
-                });
+                self.put(operator.as_str());
+                self.put(if *operator == UnaryOperator::Not { " " } else { "" });
                 self.expression(*operand);
             }
             ExpressionKind::Binary {

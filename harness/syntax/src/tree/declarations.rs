@@ -70,15 +70,8 @@ impl PouKind {
 
 words! {
     /// An access specifier.
-    Access {
-        /// PUBLIC.
-        Public = "PUBLIC",
-        /// PRIVATE.
-        Private = "PRIVATE",
-        /// PROTECTED.
-        Protected = "PROTECTED",
-        /// INTERNAL.
-        Internal = "INTERNAL",
+    Access spelled {
+        Public = "PUBLIC", Private = "PRIVATE", Protected = "PROTECTED", Internal = "INTERNAL",
     }
 }
 
@@ -156,28 +149,12 @@ impl Pou<'_> {
 }
 
 words! {
-    /// The section that a variable is declared in.
-    VariableKind {
-        /// VAR.
-        Local = "VAR",
-        /// VAR_TEMP.
-        Temporary = "VAR_TEMP",
-        /// VAR_INST, of a method.
-        Instance = "VAR_INST",
-        /// VAR_STAT: one variable for all instances and calls.
-        Static = "VAR_STAT",
-        /// VAR_INPUT.
-        Input = "VAR_INPUT",
-        /// VAR_OUTPUT.
-        Output = "VAR_OUTPUT",
-        /// VAR_IN_OUT.
-        InOut = "VAR_IN_OUT",
-        /// VAR_EXTERNAL.
-        External = "VAR_EXTERNAL",
-        /// VAR_GLOBAL.
-        Global = "VAR_GLOBAL",
-        /// VAR_CONFIG.
-        Configured = "VAR_CONFIG",
+    /// The section that a variable is declared in: VAR_INST is one of a method, and of VAR_STAT there is one variable for all instances
+    /// and calls.
+    VariableKind spelled {
+        Local = "VAR", Temporary = "VAR_TEMP", Instance = "VAR_INST", Static = "VAR_STAT",
+        Input = "VAR_INPUT", Output = "VAR_OUTPUT", InOut = "VAR_IN_OUT",
+        External = "VAR_EXTERNAL", Global = "VAR_GLOBAL", Configured = "VAR_CONFIG",
     }
 }
 

@@ -131,54 +131,18 @@ pub enum Argument<'s> {
     },
 }
 
-/// Prefix operators.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum UnaryOperator {
-    /// `-`.
-    Negate,
-    /// `+`.
-    Plus,
-    /// `NOT`.
-    Not,
+words! {
+    /// Prefix operators.
+    UnaryOperator spelled { Negate = "-", Plus = "+", Not = "NOT", }
 }
 
 words! {
-    /// Infix operators, loosest first, as in Table 71 of IEC 61131-3, third edition; those of equal precedence stand together.
-    BinaryOperator {
-        /// `OR`.
-        Or = "OR",
-        /// `OR_ELSE`.
-        OrElse = "OR_ELSE",
-        /// `XOR`.
-        Xor = "XOR",
-        /// `AND`, `&`.
-        And = "AND",
-        /// `AND_THEN`.
-        AndThen = "AND_THEN",
-        /// `=`.
-        Equal = "=",
-        /// `<>`.
-        NotEqual = "<>",
-        /// `<`.
-        Less = "<",
-        /// `>`.
-        Greater = ">",
-        /// `<=`.
-        LessOrEqual = "<=",
-        /// `>=`.
-        GreaterOrEqual = ">=",
-        /// `+`.
-        Add = "+",
-        /// `-`.
-        Subtract = "-",
-        /// `*`.
-        Multiply = "*",
-        /// `/`.
-        Divide = "/",
-        /// `MOD`.
-        Modulo = "MOD",
-        /// `**`.
-        Power = "**",
+    /// Infix operators, loosest first, as in Table 71 of IEC 61131-3, third edition; those of equal precedence stand together. `&` is another
+    /// spelling of AND.
+    BinaryOperator spelled {
+        Or = "OR", OrElse = "OR_ELSE", Xor = "XOR", And = "AND", AndThen = "AND_THEN",
+        Equal = "=", NotEqual = "<>", Less = "<", Greater = ">", LessOrEqual = "<=", GreaterOrEqual = ">=",
+        Add = "+", Subtract = "-", Multiply = "*", Divide = "/", Modulo = "MOD", Power = "**",
     }
 }
 
