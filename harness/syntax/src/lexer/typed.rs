@@ -8,20 +8,6 @@ use crate::token::TokenKind;
 use stickler_types::literal::{date, date_and_time, duration, time_of_day};
 use stickler_types::{ElementaryType, Family, LiteralError};
 
-/// The kind of text that may stand behind a prefix.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Prefix {
-    Number,
-    Boolean,
-    Text,
-    Duration,
-    Date,
-    TimeOfDay,
-    DateAndTime,
-    /// No elementary type: an enumeration's name, as far as the lexer can know.
-    Declared,
-}
-
 /// A reader of `stickler_types`.
 type TemporalReader = fn(&str) -> Result<i64, LiteralError>;
 
@@ -30,25 +16,27 @@ impl Lexer<'_, '_> {
     ///
     /// Basis: Tables 5, 6, 8 and 9 of the third edition; enumerated values: 6.4.4.3.
     pub(super) fn typed_literal(&mut self, start: usize) {
+        use Family::{
+            BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, Text, TimeOfDay,
+            Unsigned,
+        };
         let name = self.span_from(start).text(self.text);
-        let elementary = elementary(name);
-        let prefix = elementary.map_or(Prefix::Declared, prefix);
+        let elementary = ElementaryType::from_literal_prefix(name);
         self.at += 1;
-        match (class(self.peek(0)), prefix) {
-            (ByteClass::Letter, Prefix::Boolean) if self.boolean() => {
-                self.push(TokenKind::TypedBoolean, start)
-            }
+        match (class(self.peek(0)), elementary.map(ElementaryType::family)) {
+            (ByteClass::Letter, Some(Boolean)) if self.boolean() => self.push(TokenKind::TypedBoolean, start),
             (ByteClass::Letter, _) => self.enumerated(start, elementary),
-            (ByteClass::Quote, Prefix::Text) => self.typed_text(start),
-            (_, Prefix::Duration) => self.temporal(start, TokenKind::Duration, duration),
-            (_, Prefix::Date) => self.temporal(start, TokenKind::Date, date),
-            (_, Prefix::TimeOfDay) => self.temporal(start, TokenKind::TimeOfDay, time_of_day),
-            (_, Prefix::DateAndTime) => self.temporal(start, TokenKind::DateAndTime, date_and_time),
-            (_, Prefix::Number | Prefix::Boolean) => self.typed_number(start),
-            (_, Prefix::Text) => self.push_malformed(start, || {
+            (ByteClass::Quote, Some(Text | Character)) => self.typed_text(start),
+            (_, Some(Duration)) => self.temporal(start, TokenKind::Duration, duration),
+            (_, Some(Date)) => self.temporal(start, TokenKind::Date, date),
+            (_, Some(TimeOfDay)) => self.temporal(start, TokenKind::TimeOfDay, time_of_day),
+            (_, Some(DateAndTime)) => self.temporal(start, TokenKind::DateAndTime, date_and_time),
+            (_, Some(Boolean | Signed | Unsigned | BitString | Real)) => self.typed_number(start),
+            (_, Some(Text | Character)) => self.push_malformed(start, || {
                 format!("a character string is missing behind `{name}#`")
             }),
-            (_, Prefix::Declared) => self.misfit(start, name),
+            // An enumeration's name, as far as the lexer can know.
+            (_, None) => self.misfit(start, name),
         }
     }
 
@@ -158,31 +146,5 @@ impl Lexer<'_, '_> {
                 "behind `{name}#` a value's name is missing; only an elementary type stands before a literal"
             )
         });
-    }
-}
-
-/// The elementary type that a prefix names, its short forms among them.
-fn elementary(name: &str) -> Option<ElementaryType> {
-    const SHORT: [(&str, ElementaryType); 4] = [
-        ("T", ElementaryType::Time),
-        ("D", ElementaryType::Date),
-        ("LT", ElementaryType::Ltime),
-        ("LD", ElementaryType::Ldate),
-    ];
-    let short = SHORT.iter().find(|(short, _)| short.eq_ignore_ascii_case(name));
-    short
-        .map(|(_, ty)| *ty)
-        .or_else(|| ElementaryType::from_name(name))
-}
-
-fn prefix(ty: ElementaryType) -> Prefix {
-    match ty.family() {
-        Family::Boolean => Prefix::Boolean,
-        Family::Signed | Family::Unsigned | Family::BitString | Family::Real => Prefix::Number,
-        Family::Duration => Prefix::Duration,
-        Family::Date => Prefix::Date,
-        Family::TimeOfDay => Prefix::TimeOfDay,
-        Family::DateAndTime => Prefix::DateAndTime,
-        Family::Text | Family::Character => Prefix::Text,
     }
 }
