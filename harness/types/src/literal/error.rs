@@ -54,15 +54,13 @@ impl LiteralError {
 
     /// Returns the same error for a text that has `by` more bytes in front.
     #[must_use]
-    pub const fn shifted(self, by: usize) -> LiteralError {
-        match self {
-            LiteralError::Malformed { at, expected } => LiteralError::Malformed {
-                at: at + by,
-                expected,
-            },
-            LiteralError::Overflow { at, range } => LiteralError::Overflow { at: at + by, range },
-            LiteralError::Escape { at } => LiteralError::Escape { at: at + by },
-            LiteralError::Character { at } => LiteralError::Character { at: at + by },
+    pub const fn shifted(mut self, by: usize) -> LiteralError {
+        match &mut self {
+            LiteralError::Malformed { at, .. }
+            | LiteralError::Overflow { at, .. }
+            | LiteralError::Escape { at }
+            | LiteralError::Character { at } => *at += by,
         }
+        self
     }
 }

@@ -1,7 +1,8 @@
 //! Real literals: `-1.5E+10`.
 
 use super::LiteralError;
-use super::number::{digit_run, integer};
+use super::duration::digits_at;
+use super::number::integer;
 use crate::elementary::ElementaryType;
 use std::borrow::Cow;
 use std::fmt;
@@ -75,28 +76,20 @@ fn condensed(text: &str) -> String {
 /// Checks that the bytes follow the grammar of a real number.
 fn check_real(bytes: &[u8]) -> Result<(), LiteralError> {
     let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    at = digits_at(bytes, at)?;
+    at += digits_at(bytes, at)?.len();
     if bytes.get(at) != Some(&b'.') {
         return Err(LiteralError::malformed(at, "a point"));
     }
-    at = digits_at(bytes, at + 1)?;
+    at += 1 + digits_at(bytes, at + 1)?.len();
     if matches!(bytes.get(at), Some(b'e' | b'E')) {
         at += 1;
         at += usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
-        at = digits_at(bytes, at)?;
+        at += digits_at(bytes, at)?.len();
     }
     if at < bytes.len() {
         Err(LiteralError::malformed(at, "the end of the real number"))
     } else {
         Ok(())
-    }
-}
-
-/// Returns the offset after the decimal digits that must be present at `at`.
-fn digits_at(bytes: &[u8], at: usize) -> Result<usize, LiteralError> {
-    match digit_run(&bytes[at..], 10) {
-        0 => Err(LiteralError::malformed(at, "a digit")),
-        length => Ok(at + length),
     }
 }
 
