@@ -4,17 +4,7 @@
 //! looks like. So only what everybody would call a number is one here, and only what nobody would is none; all between is open:
 //! blanks, a plus, zeros in front, underscores, bases, exponents, trailing text, numbers that do not fit.
 
-use super::{MATIEC_TEXTS, NAMING};
 use stickler_types::ElementaryType;
-
-/// Returns the basis of reading a STRING as an integer or a real in `matiec`.
-pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
-    if is_plain_number(units, to) {
-        Some(NAMING)
-    } else {
-        is_no_number(&ascii(units)?, to).then_some(MATIEC_TEXTS)
-    }
-}
 
 /// Returns whether a text is a number in plain notation that the type holds.
 pub(super) fn is_plain_number(units: &[u16], to: ElementaryType) -> bool {
@@ -89,7 +79,9 @@ fn sign(text: &[u8]) -> (bool, &[u8]) {
 
 /// Returns whether the text has no digit, or begins with a letter; `false` for a typed literal (`INT#5`), and for a real
 /// also for the words that some systems read (`inf`, `nan`), with or without a sign or blanks.
-fn is_no_number(text: &[u8], to: ElementaryType) -> bool {
+pub(super) fn is_no_number(units: &[u16], to: ElementaryType) -> bool {
+    let Some(text) = ascii(units) else { return false };
+    let text = &text[..];
     let has_digits = text.iter().any(u8::is_ascii_digit);
     let begins_with_letter = text.first().is_some_and(u8::is_ascii_alphabetic);
     if has_digits && (!begins_with_letter || text.contains(&b'#')) {
