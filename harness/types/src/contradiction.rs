@@ -66,7 +66,7 @@ pub struct Contradiction {
     pub only: Vec<String>,
     /// The statement of the section, as the words behind its name in a sentence: `expects 128`.
     pub says: String,
-    /// Whether the claims bind all the same, since they are newer or more specific.
+    /// Whether the claims bind all the same: they are newer or more specific, or the section only tells that what they promise is missing.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub outweighed: bool,
     /// The last version of the compiler of which the claims are known to hold: they bind it and those before it, and none after it.

@@ -275,14 +275,20 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
             inline(&source.title),
             inline(&other.says),
         );
-        let binds = match (&other.until, other.outweighed) {
-            (Some(until), _) => format!("The claim ended with version {until}."),
-            (None, true) => "The claim is newer or more specific, and binds it all the same.".to_owned(),
-            (None, false) => "So the claim does not bind it.".to_owned(),
+        let (says_what, binds) = match (&other.until, other.outweighed) {
+            (Some(until), _) => (
+                "itself says otherwise",
+                format!("The claim ended with version {until}."),
+            ),
+            (None, true) => ("on the same", "The claim binds it all the same.".to_owned()),
+            (None, false) => (
+                "itself says otherwise",
+                "So the claim does not bind it.".to_owned(),
+            ),
         };
         let _ = write!(
             text,
-            "{publisher} itself says otherwise: {section} ({title}) {says}. {binds}\n\n"
+            "{publisher} {says_what}: {section} ({title}) {says}. {binds}\n\n"
         );
     }
 }
