@@ -3,12 +3,12 @@
 /// Declares the elementary types: of each the variant, its keyword, its bits, its family and the edition that brought it.
 macro_rules! elementary_types {
     ($(#[$about:meta])* ElementaryType {
-        $($(#[$said:meta])* $variant:ident = $name:literal, $bits:literal, $family:ident, $edition:ident;)*
+        $($variant:ident = $name:literal, $bits:literal, $family:ident, $edition:ident;)*
     }) => {
         $(#[$about])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
         pub enum ElementaryType {
-            $($(#[$said])* $variant,)*
+            $(#[doc = concat!("`", $name, "`, of the family [`", stringify!($family), "`](Family::", stringify!($family), ").")] $variant,)*
         }
 
         impl ElementaryType {
@@ -27,7 +27,8 @@ macro_rules! elementary_types {
 }
 
 elementary_types! {
-    /// An elementary data type of either edition of the standard.
+    /// An elementary data type of either edition of the standard. `TOD`, `LTOD`, `DT` and `LDT` are also spelled `TIME_OF_DAY`, `LTIME_OF_DAY`,
+    /// `DATE_AND_TIME` and `LDATE_AND_TIME`; `REAL` and `LREAL` are binary32 and binary64 of IEC 60559.
     ///
     /// # Raw form
     ///
@@ -47,59 +48,32 @@ elementary_types! {
     /// Basis: iec-61131-3: Table 10 (elementary data types); the resolution of times and dates is the implementer's to choose, and
     /// the raw form gives the short types the resolution and range of the long ones.
     ElementaryType {
-        /// `BOOL`, one bit.
         Bool = "BOOL", 1, Boolean, Second;
-        /// `SINT`, a signed integer of 8 bits.
         Sint = "SINT", 8, Signed, Second;
-        /// `INT`, a signed integer of 16 bits.
         Int = "INT", 16, Signed, Second;
-        /// `DINT`, a signed integer of 32 bits.
         Dint = "DINT", 32, Signed, Second;
-        /// `LINT`, a signed integer of 64 bits.
         Lint = "LINT", 64, Signed, Second;
-        /// `USINT`, an unsigned integer of 8 bits.
         Usint = "USINT", 8, Unsigned, Second;
-        /// `UINT`, an unsigned integer of 16 bits.
         Uint = "UINT", 16, Unsigned, Second;
-        /// `UDINT`, an unsigned integer of 32 bits.
         Udint = "UDINT", 32, Unsigned, Second;
-        /// `ULINT`, an unsigned integer of 64 bits.
         Ulint = "ULINT", 64, Unsigned, Second;
-        /// `REAL`, binary32 of IEC 60559.
         Real = "REAL", 32, Real, Second;
-        /// `LREAL`, binary64 of IEC 60559.
         Lreal = "LREAL", 64, Real, Second;
-        /// `BYTE`, a bit string of 8 bits.
         Byte = "BYTE", 8, BitString, Second;
-        /// `WORD`, a bit string of 16 bits.
         Word = "WORD", 16, BitString, Second;
-        /// `DWORD`, a bit string of 32 bits.
         Dword = "DWORD", 32, BitString, Second;
-        /// `LWORD`, a bit string of 64 bits.
         Lword = "LWORD", 64, BitString, Second;
-        /// `TIME`, a duration.
         Time = "TIME", 64, Duration, Second;
-        /// `LTIME`, a duration of the third edition.
         Ltime = "LTIME", 64, Duration, Third;
-        /// `DATE`, a calendar day.
         Date = "DATE", 64, Date, Second;
-        /// `LDATE`, a calendar day of the third edition.
         Ldate = "LDATE", 64, Date, Third;
-        /// `TOD` or `TIME_OF_DAY`.
         Tod = "TOD", 64, TimeOfDay, Second;
-        /// `LTOD` or `LTIME_OF_DAY`, of the third edition.
         Ltod = "LTOD", 64, TimeOfDay, Third;
-        /// `DT` or `DATE_AND_TIME`.
         Dt = "DT", 64, DateAndTime, Second;
-        /// `LDT` or `LDATE_AND_TIME`, of the third edition.
         Ldt = "LDT", 64, DateAndTime, Third;
-        /// `STRING`, of single-byte characters.
         String = "STRING", 0, Text, Second;
-        /// `WSTRING`, of double-byte characters.
         Wstring = "WSTRING", 0, Text, Second;
-        /// `CHAR`, one single-byte character, of the third edition.
         Char = "CHAR", 8, Character, Third;
-        /// `WCHAR`, one double-byte character, of the third edition.
         Wchar = "WCHAR", 16, Character, Third;
     }
 }
