@@ -33,18 +33,14 @@ impl fmt::Display for CaseFileError {
     }
 }
 
-/// A mistake without the name of its file: the error of the functions that read a part of a file.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct Mistake {
-    pub(crate) line: u32,
-    pub(crate) key: Option<String>,
-    pub(crate) message: String,
-    pub(crate) hint: Option<String>,
-}
+/// A mistake whose file is still to be named: the error of the functions that read a part of a file.
+pub(crate) type Mistake = CaseFileError;
 
-impl Mistake {
+impl CaseFileError {
+    /// Returns a mistake of a file that [`in_file`](CaseFileError::in_file) names.
     pub(crate) fn new(line: u32, message: impl Into<String>) -> Self {
-        Mistake {
+        CaseFileError {
+            file: String::new(),
             line,
             key: None,
             message: message.into(),
@@ -63,19 +59,8 @@ impl Mistake {
     }
 
     pub(crate) fn in_file(self, file: &str) -> CaseFileError {
-        let Mistake {
-            line,
-            key,
-            message,
-            hint,
-        } = self;
-        CaseFileError {
-            file: file.to_owned(),
-            line,
-            key,
-            message,
-            hint,
-        }
+        let file = file.to_owned();
+        CaseFileError { file, ..self }
     }
 }
 
