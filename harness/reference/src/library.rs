@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::features::standard_block;
 use stickler_types::{Code, Dialect, ElementaryType};
 
 const TEXTS: [&str; 5] = [
@@ -72,7 +73,9 @@ pub(crate) fn with_blocks(
     let named = undeclared.filter_map(|one| one.span.text(source).rsplit('.').next());
     let named = named.map(str::to_ascii_uppercase);
     let named: BTreeSet<String> = named.collect();
-    let blocks: Vec<String> = named.iter().filter_map(|name| block(name, dialect)).collect();
+    let has = |name: &&String| standard_block(name).is_none_or(|feature| !dialect.lacks(feature));
+    let blocks = named.iter().filter(has).filter_map(|name| block(name, dialect));
+    let blocks: Vec<String> = blocks.collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
         let mut blocks = blocks.iter();
         blocks.any(|block| block.contains(clock))

@@ -1,5 +1,6 @@
 //! The features of the language that a system declares to have or to lack.
 
+use crate::ElementaryType;
 use std::ops::RangeInclusive;
 
 /// The features that the documents of a system say it has, and those that they say it lacks, by the keys of
@@ -12,6 +13,8 @@ pub struct DeclaredFeatures {
     pub has: Vec<String>,
     /// The features that it lacks, whatever its edition has.
     pub lacks: Vec<String>,
+    /// The elementary types of the second edition among these.
+    pub lacked_types: Vec<ElementaryType>,
 }
 
 impl DeclaredFeatures {
@@ -20,6 +23,7 @@ impl DeclaredFeatures {
         edition: None,
         has: Vec::new(),
         lacks: Vec::new(),
+        lacked_types: Vec::new(),
     };
 
     /// The editions of IEC 61131-3 that are told apart.

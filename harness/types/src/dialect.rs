@@ -313,10 +313,17 @@ impl Dialect {
         ElementaryType::from_name(self.standard_name(name))
     }
 
-    /// Returns whether the dialect has this elementary type.
+    /// Returns whether the edition of the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
         !ty.is_third_edition() || self.third_edition_types.includes(ty)
+    }
+
+    /// Returns whether a program may name this elementary type: the edition of the dialect has it, and its documents do not say that it lacks it.
+    /// Of the types of the third edition the choice `third-edition-types` says that alone.
+    #[must_use]
+    pub fn may_name(&self, ty: ElementaryType) -> bool {
+        self.has(ty) && !self.features.lacked_types.contains(&ty)
     }
 }
 

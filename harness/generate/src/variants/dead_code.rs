@@ -12,10 +12,15 @@ use stickler_types::ElementaryType;
 pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
+    // Every dialect has one of them.
+    let unread = match program.dialect.rules().may_name(ElementaryType::Lword) {
+        true => ElementaryType::Lword,
+        false => ElementaryType::Dword,
+    };
     each_pou(program, |pou| {
         pou.declare(variable(
             names.next("unread"),
-            Type::Elementary(ElementaryType::Lword),
+            Type::Elementary(unread),
             VariableSection::Local,
         ));
         let settled = settled_variables(&pou.variables, &pou.body);

@@ -4,7 +4,7 @@
 use super::source_writer::SourceWriter;
 use crate::model::LiteralForm;
 use std::fmt::Write as _;
-use stickler_types::{Dialect, ElementaryType, Family, Value};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, Value};
 
 impl SourceWriter<'_> {
     /// Writes a literal in its canonical spelling, or in the notation of the style, with or without the prefix of its type.
@@ -78,9 +78,11 @@ impl SourceWriter<'_> {
         let choice = self.next_random() as usize;
         match value {
             Value::Plain { ty, raw } => match ty.family() {
-                Family::Signed | Family::Unsigned | Family::BitString => {
-                    Some(other_integer(ty.integer_value(*raw), choice))
-                }
+                Family::Signed | Family::Unsigned | Family::BitString => Some(other_integer(
+                    ty.integer_value(*raw),
+                    choice,
+                    self.program.dialect,
+                )),
                 Family::Real => self.other_real(*ty, *raw, form, choice),
                 Family::Duration => other_duration(raw.cast_signed()),
                 _ => None,
@@ -129,11 +131,11 @@ pub(super) const fn long_prefix(ty: ElementaryType) -> &'static str {
     }
 }
 
-/// Spells an integer in another base, which negative numbers do not have, or with underscores.
-fn other_integer(number: i128, choice: usize) -> String {
+/// Spells an integer in another base that the dialect has and negative numbers do not have, or with underscores.
+fn other_integer(number: i128, choice: usize, dialect: DialectName) -> String {
     match (number >= 0, choice % 4) {
         (true, 0) => format!("2#{}", grouped(&format!("{number:b}"), 4)),
-        (true, 1) => format!("8#{number:o}"),
+        (true, 1) if !dialect.rules().lacks("octal-literal") => format!("8#{number:o}"),
         (true, 2) => format!("16#{}", grouped(&format!("{number:X}"), 2)),
         _ if number < 0 => format!("-{}", grouped(&number.unsigned_abs().to_string(), 3)),
         _ => grouped(&number.to_string(), 3),

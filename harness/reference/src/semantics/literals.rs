@@ -74,7 +74,7 @@ impl<'m> Lowering<'m> {
 pub(super) fn inferred_literal(literal: &Literal<'_>, negative: bool, dialect: &Dialect) -> Inferred {
     if let Some(prefix) = literal.prefix() {
         let ty = ElementaryType::from_literal_prefix(prefix.text);
-        return match ty.filter(|&ty| dialect.has(ty)) {
+        return match ty.filter(|&ty| dialect.may_name(ty)) {
             Some(ty) => Inferred::from(ty),
             None => Inferred::Error,
         };
@@ -104,10 +104,10 @@ pub(super) fn literal_type(
     let literal = signed.literal;
     if let Some(prefix) = literal.prefix() {
         return match ElementaryType::from_literal_prefix(prefix.text) {
-            Some(ty) if dialect.has(ty) => Ok(ty),
+            Some(ty) if dialect.may_name(ty) => Ok(ty),
             Some(ty) => {
-                let message = format!("{} is a type of the third edition", ty.name());
-                Err(SpannedDiagnostic::new(Code::Std2013Feature, signed.span, message))
+                let (code, message) = missing_type(ty, dialect);
+                Err(SpannedDiagnostic::new(code, signed.span, message))
             }
             None => {
                 let message = format!("`{}` is no type of a literal", prefix.text);
@@ -339,4 +339,17 @@ fn with_point(text: &str) -> Cow<'_, str> {
         }
         _ => text.into(),
     }
+}
+
+/// Returns what is wrong with the use of an elementary type that the dialect does not have.
+pub(super) fn missing_type(ty: ElementaryType, dialect: &Dialect) -> (Code, String) {
+    let name = ty.name();
+    if dialect.has(ty) {
+        let message = format!("{} does not have the type {name}", dialect.spelling);
+        return (Code::UndeclaredUnknownType, message);
+    }
+    (
+        Code::Std2013Feature,
+        format!("{name} is a type of the third edition"),
+    )
 }

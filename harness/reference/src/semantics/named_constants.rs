@@ -102,9 +102,10 @@ impl<'u> Declarer<'u, '_> {
                 TypeSpecificationKind::Error => return ConstantType::Unknown,
                 _ => return ConstantType::Other,
             };
-            let elementary = self.model.source.dialect.elementary(name.text);
+            let dialect = self.model.source.dialect;
+            let elementary = dialect.elementary(name.text);
             let named = match self.model.definition(name) {
-                _ if elementary.is_some_and(|ty| !ty.is_third_edition()) => None,
+                _ if elementary.is_some_and(|ty| !ty.is_third_edition() && dialect.may_name(ty)) => None,
                 Some(TopLevelName::Type(node)) => Some(self.nodes[node as usize].declared),
                 Some(TopLevelName::Pou(_)) => return ConstantType::Other,
                 None => None,
@@ -112,8 +113,8 @@ impl<'u> Declarer<'u, '_> {
             match (named, elementary) {
                 (Some(DeclaredNode::Type(declared)), _) => kind = &declared.specification.kind,
                 (Some(DeclaredNode::Block(_)), _) => return ConstantType::Other,
-                (None, Some(ty)) if self.model.source.dialect.has(ty) => {
-                    return ConstantType::Elementary(ty, self.model.source.dialect.text_length);
+                (None, Some(ty)) if dialect.may_name(ty) => {
+                    return ConstantType::Elementary(ty, dialect.text_length);
                 }
                 (None, _) => return ConstantType::Unknown,
             }

@@ -390,7 +390,7 @@ impl<'m> Lowering<'m> {
             return match self.model.definition(name) {
                 Some(TopLevelName::Pou(pou)) => Some(self.model.pous[pou as usize].ty),
                 Some(TopLevelName::Type(_)) => self.declared_type(name),
-                None => elementary.filter(|&ty| dialect.has(ty)).map(TypeId::of),
+                None => elementary.filter(|&ty| dialect.may_name(ty)).map(TypeId::of),
             };
         }
         let ty = self.declared_type_of(operand)?;

@@ -1,6 +1,7 @@
 //! Resolves the types that are written in declarations.
 
 use super::declare::Declarer;
+use super::literals::missing_type;
 use super::memory::MAX_CELLS;
 use super::model::{DefaultInitialValue, SEVERAL_NAMESPACES, TopLevelName};
 use super::scope::NamedList;
@@ -72,11 +73,12 @@ impl<'u> Declarer<'u, '_> {
     /// The type of a name.
     ///
     /// Basis: ironplc-problem-codes: P2008; P0010 for types of the third edition where the dialect lacks them,
-    /// unless the text declares a type of that name.
+    /// unless the text declares a type of that name, as it may one that the documents of the system say it lacks.
     pub(super) fn named(&mut self, name: Name<'u>) -> TypeId {
         let elementary = self.model.source.dialect.elementary(name.text);
         if let Some(ty) = elementary
             && !ty.is_third_edition()
+            && self.model.source.dialect.may_name(ty)
         {
             return match ty.is_text() {
                 true => self.model.types.text(ty, self.model.source.dialect.text_length),
@@ -100,10 +102,10 @@ impl<'u> Declarer<'u, '_> {
             Meaning::None => {}
         }
         match elementary {
-            Some(ty) if self.model.source.dialect.has(ty) => return TypeId::of(ty),
+            Some(ty) if self.model.source.dialect.may_name(ty) => return TypeId::of(ty),
             Some(ty) => {
-                let message = format!("{} is a type of the third edition", ty.name());
-                self.report(Code::Std2013Feature, name.span, message);
+                let (code, message) = missing_type(ty, self.model.source.dialect);
+                self.report(code, name.span, message);
                 self.later = true;
             }
             None if name.text.is_empty() => {}
@@ -121,7 +123,7 @@ impl<'u> Declarer<'u, '_> {
 
     fn text(&mut self, name: Name<'u>, length: ExpressionId) -> TypeId {
         let ty = match ElementaryType::from_name(name.text) {
-            Some(ty) if ty.is_text() => ty,
+            Some(ty) if ty.is_text() && self.model.source.dialect.may_name(ty) => ty,
             _ => return self.named(name),
         };
         let Some(length_value) = self.constant(length) else {

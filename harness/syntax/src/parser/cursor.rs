@@ -184,7 +184,7 @@ impl<'s> Parser<'s, '_> {
     /// Basis: iec-61131-3: 6.1.3 and Table 10, whose column of names is headed "Keyword".
     pub(super) fn declared_name(&mut self, what: &str) -> ParseResult<Name<'s>> {
         let name = self.name(what)?;
-        if ElementaryType::from_name(name.text).is_some_and(|ty| self.dialect.has(ty))
+        if ElementaryType::from_name(name.text).is_some_and(|ty| self.dialect.may_name(ty))
             && !self.dialect.free_words.contain(name.text)
         {
             self.report(Code::SyntaxError, name.span, || {

@@ -256,7 +256,15 @@ impl<'s> Parser<'s, '_> {
         let extends = self.names_behind("EXTENDS", "structure-extends").first().copied();
         let (specification, initializer) = match self.type_of_declaration() {
             Ok(specification) => {
+                if let TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } =
+                    specification.kind
+                {
+                    self.has("type-alias", name.span, "NAME : TYPE");
+                }
                 let initializer = self.optional_initializer(&specification);
+                if let Some(initializer) = &initializer {
+                    self.has("type-initial-value", initializer.span, ":=");
+                }
                 (specification, initializer)
             }
             Err(_) => {

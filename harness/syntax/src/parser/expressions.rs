@@ -206,7 +206,14 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn literal(&mut self) -> ExpressionId {
         self.height = 1;
         let token = self.token();
+        let has = match token.kind {
+            TokenKind::Based | TokenKind::TypedBased if self.word().rsplit('#').nth(1) == Some("8") => {
+                self.has("octal-literal", token.span, "8#")
+            }
+            _ => true,
+        };
         let kind = match token.kind {
+            _ if !has => ExpressionKind::Error,
             TokenKind::Integer => self.plain(LiteralKind::Integer),
             TokenKind::Based => self.plain(LiteralKind::BasedInteger),
             TokenKind::Real => self.plain(LiteralKind::Real),

@@ -15,6 +15,7 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn has(&mut self, feature: &str, span: Span, word: &str) -> bool {
         let has = !self.dialect.lacks(feature);
         let extension = "is an extension of the standard;";
+        let standard = "is of the standard, and";
         let (code, what) = match feature {
             "property" | "var-inst" | "structure-extends" | "pointer-to-this" => {
                 (Code::UnexpectedToken, extension)
@@ -27,6 +28,9 @@ impl<'s> Parser<'s, '_> {
             | "union"
             | "jump"
             | "assignment-expression" => (Code::SyntaxError, extension),
+            "type-alias" | "type-initial-value" | "subrange" | "enumeration" | "octal-literal" => {
+                (Code::SyntaxError, standard)
+            }
             _ => (Code::Std2013Feature, "is of the third edition of the standard;"),
         };
         if !has {

@@ -67,6 +67,7 @@ impl<'s> Parser<'s, '_> {
     /// `INT(low..high)`.
     fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
         let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
+        self.has("subrange", base.span.to(self.previous_span()), "TYPE(low..high)");
         Ok(Kind::Subrange { base, limits })
     }
 
@@ -79,11 +80,13 @@ impl<'s> Parser<'s, '_> {
 
     /// `(RED, GREEN := 5)`.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
+        let start = self.token().span;
         let value = |parser: &mut Self| {
             let name = parser.declared_name("the name of an enumerated value")?;
             Ok((name, parser.optional(TokenKind::Assign, Self::expression)?))
         };
         let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
+        self.has("enumeration", start.to(self.previous_span()), "(NAME, …)");
         Ok(Kind::Enumeration { base, values })
     }
 

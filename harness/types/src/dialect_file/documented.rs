@@ -156,7 +156,14 @@ fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Read<()> {
         match key.get_ref().as_ref() {
             "edition" => declared.edition = Some(edition(value)?),
             "has" => declared.has = texts("has", value)?,
-            "lacks" => declared.lacks = texts("lacks", value)?,
+            "lacks" => {
+                declared.lacks = texts("lacks", value)?;
+                let types = declared
+                    .lacks
+                    .iter()
+                    .filter_map(|key| ElementaryType::from_name(key));
+                declared.lacked_types = types.filter(|ty| !ty.is_third_edition()).collect();
+            }
             other => {
                 let known = ["edition", "has", "lacks"];
                 return Err(ConfigurationMistake::unknown_key(
