@@ -7,6 +7,7 @@
 
 mod cause_page;
 mod page;
+mod prose;
 
 pub(crate) use cause_page::{page as cause_page_of, titled};
 
@@ -15,6 +16,7 @@ use crate::claims::entry;
 use crate::observations::probe;
 use crate::overview::{Overview, kept};
 use crate::pending::PendingFile;
+use prose::without_program;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -205,14 +207,6 @@ impl EngineClusters {
         let causes = self.lacks.into_iter().chain(self.causes);
         causes.map(|cause| (cause, None)).chain(clusters).collect()
     }
-}
-
-/// Takes the text of programs out of a cause: its program, and the pieces of it in the title.
-fn without_program(cause: &mut Cause) {
-    let words: Vec<&str> = cause.title.split('`').step_by(2).collect();
-    cause.title = words.join("…");
-    cause.shown.program.clear();
-    cause.shown.reproduction = None;
 }
 
 /// Writes a page for each of these causes, and the list of them.

@@ -52,6 +52,10 @@ fn pages_in_prose_have_no_text_of_a_program() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut cause = sample::cause("`into := 1` is accepted", 3, Verdict::Fail);
     cause.shown.program = "PROGRAM main into := 1; END_PROGRAM".to_owned();
+    let reason = "cannot read 'into := 1' of the task's body, nor `into :=\n  into := 1\n  ^".to_owned();
+    let lines = vec!["into := 1;".to_owned()];
+    cause.shown.got = vec![Fact::Unsupported { reason }, Fact::Rendered { lines }];
+    cause.shown.expected = cause.shown.got.clone();
     let case = failing("t::a(1)", &cause.shown.program, value("into", "INT#1"));
     let events = sample::with_causes(sample::run_of(vec![case]), [cause]);
     let mut pages = Discrepancies::create(folder.path(), true).expect("a folder");
@@ -62,6 +66,11 @@ fn pages_in_prose_have_no_text_of_a_program() {
         let page = fs::read_to_string(engine.join(&name)).expect("a page");
         assert!(page.contains("… is accepted"), "{page}");
         assert!(!page.contains("into :="), "{page}");
+        let is_index = name == "README.md";
+        assert!(
+            is_index || page.contains("cannot read … of the task's body, nor …"),
+            "{page}"
+        );
     }
     assert_eq!(names(&engine).len(), 2);
 }
