@@ -29,7 +29,8 @@ pub struct CompliancePlan<'a> {
     pub statements: &'a StatementsBuilder,
     /// The system.
     pub dialect: DialectName,
-    /// The edition of the standard whose tables are listed: 2 or 3.
+    /// The edition of the standard whose tables are listed. No table of the fourth is public: its statement has those of the third, and what public
+    /// summaries say of the changes.
     pub edition: u8,
     /// The numbers of the only tables that are wanted, without conversions and parameters; all where there is none.
     pub tables: &'a [String],
@@ -83,11 +84,16 @@ impl ComplianceStatement {
             sections: Vec::new(),
             differs: false,
         };
-        statement.add_features(plan)?;
+        if plan.edition == SUMMARIZED {
+            statement.claim += " No table of the fourth edition is public: the tables are those of the third, and what the fourth changes is second-hand.";
+        }
+        let titles: TableTitles = toml::from_str(include_str!("compliance/tables.toml")).unwrap_or_default();
+        statement.add_features(plan, &titles)?;
         if statement.sections.is_empty() {
             return Ok(None);
         }
         if plan.tables.is_empty() {
+            statement.add_other_rows(plan, &titles);
             statement.add_conversions(plan)?;
             statement.sections.push(Section {
                 title: "Parameters that are left to the implementer".to_owned(),
@@ -103,8 +109,7 @@ impl ComplianceStatement {
     ///
     /// # Errors
     /// As [`ComplianceStatement::gather`].
-    fn add_features(&mut self, plan: &CompliancePlan<'_>) -> Result<(), RunError> {
-        let titles: TableTitles = toml::from_str(include_str!("compliance/tables.toml")).unwrap_or_default();
+    fn add_features(&mut self, plan: &CompliancePlan<'_>, titles: &TableTitles) -> Result<(), RunError> {
         let rows = plan.rows();
         let features: Vec<&Feature> = rows.values().flatten().copied().collect();
         let mut measured = MeasuredFeatures::ask(plan, &features)?;
@@ -114,7 +119,7 @@ impl ComplianceStatement {
         for ((table, number), features) in rows {
             if last.replace(table) != Some(table) {
                 let title = titles
-                    .get(&plan.edition.to_string())
+                    .get(&plan.tables_of().to_string())
                     .and_then(|of| of.get(&numbered(table)));
                 self.sections.push(Section {
                     title: format!("Table {}: {}", numbered(table), title.map_or("", |title| title)),
@@ -137,7 +142,12 @@ impl ComplianceStatement {
                     true => "has, as a feature of its edition",
                     false => declared,
                 };
-                let [title, declared, word] = [&feature.title, declared, word].map(str::to_owned);
+                let [mut title, declared, word] = [&feature.title, declared, word].map(str::to_owned);
+                let is_summarized =
+                    |edition: &(&u8, &String)| *edition.0 == plan.edition && plan.edition == SUMMARIZED;
+                for (_, change) in feature.tables.iter().filter(is_summarized) {
+                    title = format!("{title} (fourth edition: {change})");
+                }
                 let mut row = vec![numbered(number), title, declared, source, word, example];
                 row.truncate(head.len());
                 self.sections
@@ -147,6 +157,38 @@ impl ComplianceStatement {
             }
         }
         Ok(())
+    }
+
+    /// Adds the rows that are about no feature of Stickler's list, and what public summaries say of the fourth edition.
+    fn add_other_rows(&mut self, plan: &CompliancePlan<'_>, titles: &TableTitles) {
+        let others = "Nothing is declared or measured of these, of which the last are of other languages than Structured Text.";
+        let changes =
+            "By public summaries, which the last row names; nothing of them is declared or measured.";
+        for (key, title, text) in [
+            (
+                format!("{}-others", plan.tables_of()),
+                "Rows that are not of Stickler's list",
+                others,
+            ),
+            (
+                format!("{}-changes", plan.edition),
+                "Changes of this edition, second-hand",
+                changes,
+            ),
+        ] {
+            let Some(rows) = titles.get(&key) else { continue };
+            let mut rows: Vec<_> = rows.iter().collect();
+            rows.sort_by_key(|(place, _)| in_order(place));
+            let rows = rows
+                .into_iter()
+                .map(|(place, what)| vec![place.clone(), what.clone()]);
+            self.sections.push(Section {
+                title: title.to_owned(),
+                text,
+                head: &["about", "is"],
+                rows: rows.collect(),
+            });
+        }
     }
 
     /// Adds the conversion functions of the dialect, and compares what the engine gives for boundary values with what sources state.
@@ -174,14 +216,22 @@ impl ComplianceStatement {
     }
 }
 
+/// The edition of which only summaries are public.
+const SUMMARIZED: u8 = 4;
+
 impl CompliancePlan<'_> {
+    /// Returns the edition whose tables are listed.
+    fn tables_of(&self) -> u8 {
+        self.edition.min(SUMMARIZED - 1)
+    }
+
     /// Returns the features of the wanted tables, by their places. A feature without a row of a table is not of the statement.
     fn rows(&self) -> BTreeMap<Place<'_>, Vec<&Feature>> {
         let mut rows: BTreeMap<_, Vec<&Feature>> = BTreeMap::new();
         for feature in self.suite.features.iter() {
             let place = feature
                 .tables
-                .get(&self.edition)
+                .get(&self.tables_of())
                 .and_then(|place| place.strip_prefix("Table "));
             let Some(place) = place else { continue };
             let (table, number) = place.split_once(", ").unwrap_or((place, ""));

@@ -121,7 +121,7 @@ pub struct ComplianceArguments {
     #[arg(long, value_name = "ENGINE")]
     pub engine: Option<String>,
     /// The edition of IEC 61131-3 whose tables are listed [default: the one that the system declares, or 3]
-    #[arg(long, value_name = "N", value_parser = whole::<u8>(2, 3))]
+    #[arg(long, value_name = "N", value_parser = whole::<u8>(2, 4))]
     pub edition: Option<u8>,
     /// Only the table of this number, without conversions and parameters; may be repeated
     #[arg(long, value_name = "N")]
