@@ -17,6 +17,9 @@ use stickler_types::{DialectName, Question, counted};
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
 
+/// The file that each folder of cases has.
+const SUITE: &str = "suite.toml";
+
 /// A folder of cases, found by a search or named on the command line.
 pub struct CaseFolder {
     /// The path of the folder of cases.
@@ -76,10 +79,10 @@ impl CaseFolder {
     /// Returns the folder of cases in the nearest place; `None` where there is none in any of them.
     fn search(here: &Path, program: Option<&Path>) -> Option<CaseFolder> {
         let above = |start: &Path| {
-            start
-                .ancestors()
-                .find(|folder| folder.join(NAME).is_dir())
-                .map(Path::to_owned)
+            // The archive of a release has a folder of the name with pages alone.
+            let mut folders = start.ancestors();
+            let found = folders.find(|folder| folder.join(NAME).join(SUITE).is_file());
+            found.map(Path::to_owned)
         };
         if let Some(root) = above(here) {
             // Paths are shown to the user, so a short one is better.
@@ -142,16 +145,20 @@ impl CaseFolder {
         Suite::load_files(&self.path, Wanted::default(), |_, _| false)
     }
 
-    /// Reads the files in which a word stands, without reporting mistakes in them.
-    pub fn load_mentioning(&self, word: &str) -> Suite {
-        Suite::load_files(&self.path, Wanted::default(), |id, kind| {
-            self.mentions(id, kind, word)
-        })
+    /// Reads the files in which one of these words stands, without reporting mistakes in them. Their cases are those of the dialects `asked`,
+    /// of all dialects where there are none.
+    pub fn load_mentioning<S: AsRef<str>>(&self, words: &[S], asked: &[DialectName]) -> Suite {
+        let wanted = Wanted {
+            asked,
+            ..Wanted::default()
+        };
+        Suite::load_files(&self.path, wanted, |id, kind| self.mentions(id, kind, words))
     }
 
-    fn mentions(&self, id: &str, kind: FileKind, word: &str) -> bool {
+    fn mentions<S: AsRef<str>>(&self, id: &str, kind: FileKind, words: &[S]) -> bool {
         let file = self.path.join(format!("{id}.{}", kind.extension()));
-        fs::read_to_string(file).is_ok_and(|text| text.contains(word))
+        let has_one = |text: String| words.iter().any(|word| text.contains(word.as_ref()));
+        fs::read_to_string(file).is_ok_and(has_one)
     }
 
     /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
@@ -236,7 +243,7 @@ impl CaseFolder {
     pub fn load_implicit_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
         let defined = defined(named.iter().copied());
-        let is_wanted = |id: &str, kind| self.mentions(id, kind, "implicit(");
+        let is_wanted = |id: &str, kind| self.mentions(id, kind, &["implicit("]);
         let mut suite = Suite::load_files(&self.path, with_repeats(&defined), is_wanted);
         let is_implicit = |case: &Case| matches!(case.question.as_deref(), Some(Question::Implicit(_)));
         suite.cases.retain(is_implicit);
@@ -395,7 +402,7 @@ pub fn options<'a>(name: &str, arguments: impl Iterator<Item = &'a str>) -> Stri
 
 #[cfg(test)]
 mod tests {
-    use super::{CaseFolder, NAME};
+    use super::{CaseFolder, NAME, SUITE};
     use std::fs;
     use std::path::PathBuf;
 
@@ -407,10 +414,13 @@ mod tests {
         for made in [&clone.join(NAME), &inside] {
             fs::create_dir_all(made).expect("a folder");
         }
+        let suite_in = |folder: &PathBuf| fs::write(folder.join(NAME).join(SUITE), "").expect("a file");
+        suite_in(&clone);
         assert!(CaseFolder::search(&inside, None).is_none());
         let found = CaseFolder::search(&inside, Some(&program)).expect("above the program");
         assert_eq!((found.path, found.root), (clone.join(NAME), PathBuf::new()));
         fs::create_dir(compiler.join(NAME)).expect("a folder");
+        suite_in(&compiler);
         let found = CaseFolder::search(&inside, Some(&program)).expect("above this folder");
         assert_eq!((found.path, found.root), (compiler.join(NAME), compiler.clone()));
         let found = CaseFolder::search(&compiler, Some(&program)).expect("here");

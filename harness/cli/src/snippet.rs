@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
-use stickler_types::{Diagnostic, Severity, counted};
+use stickler_types::{Diagnostic, Severity, counted, joined};
 
 /// The maximum number of diagnostics that are shown; a broken file has more than anyone reads.
 const MAX_DIAGNOSTICS: usize = 200;
@@ -39,12 +39,20 @@ pub fn write<'f>(
         writeln!(out, "... and {} more diagnostics\n", number - MAX_DIAGNOSTICS)?;
     }
     let found = counted(number as u64, "diagnostic", "diagnostics");
-    match diagnostics
-        .iter()
-        .find_map(|diagnostic| diagnostic.code.as_deref())
-    {
-        Some(code) => writeln!(out, "{found}; `stickler explain {code}` says more about a code."),
-        None => writeln!(out, "{found}"),
+    let codes = diagnostics.iter().filter_map(|one| one.code.as_deref());
+    let mut codes: Vec<&str> = codes.collect();
+    codes.sort_unstable();
+    codes.dedup();
+    match codes[..] {
+        [] => writeln!(out, "{found}"),
+        [code] => writeln!(out, "{found}; `stickler explain {code}` says more about a code."),
+        _ => {
+            let codes = joined(&codes, "and");
+            writeln!(
+                out,
+                "{found}; `stickler explain CODE` says more about a code: {codes}."
+            )
+        }
     }
 }
 

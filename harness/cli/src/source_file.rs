@@ -1,6 +1,6 @@
 //! Reads source files as bytes, whatever their encoding; several of them as one program. Chooses which program of a text runs.
 
-use anyhow::{Context, ensure};
+use anyhow::{Context, bail, ensure};
 use std::fs;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -23,6 +23,13 @@ pub fn read(path: &Path) -> anyhow::Result<(Vec<u8>, String)> {
     }
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     Ok((bytes, path.display().to_string()))
+}
+
+/// Returns the line and the column, both from 1, behind the bytes of a text; the column counts characters.
+pub fn place(before: &[u8]) -> (usize, usize) {
+    let line = before.iter().filter(|byte| **byte == b'\n').count() + 1;
+    let of_line = before.rsplit(|byte| *byte == b'\n').next().unwrap_or_default();
+    (line, String::from_utf8_lossy(of_line).chars().count() + 1)
 }
 
 /// Reads a text file; `None` where there is none.
@@ -68,6 +75,17 @@ impl Program {
     fn add(&mut self, path: &Path) -> anyhow::Result<()> {
         const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
         let (bytes, name) = read(path)?;
+        // One sentence says more than a diagnostic for each stray byte.
+        let is_stray = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0b\x0c\x1a".contains(byte);
+        let mut strays = (0..).zip(&bytes).filter(|(_, byte)| is_stray(byte));
+        let first = strays.next().map_or(0, |(at, _)| at);
+        if strays.count() > bytes.len() / 20 {
+            let (line, column) = place(&bytes[..first]);
+            bail!(
+                "{name}:{line}:{column}: the byte 16#{:02X} begins what is no text; a program is text in UTF-8, so save it as such",
+                bytes[first]
+            );
+        }
         if !self.bytes.is_empty() && !self.bytes.ends_with(b"\n") {
             self.bytes.push(b'\n');
         }

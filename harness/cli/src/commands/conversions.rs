@@ -145,7 +145,7 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
         );
         return Ok(Known::default());
     };
-    let suite = folder.load_mentioning(function);
+    let suite = folder.load_mentioning(&[function], &[]);
     let recordings = match arguments.recorded || arguments.engine.is_empty() {
         true => folder.usable_recordings()?,
         false => Vec::new(),

@@ -235,7 +235,7 @@ fn trace_of(file: &Path) -> Option<PathBuf> {
 /// Returns the elementary variables of a program with their values at its start, or the diagnostics of the reference.
 fn variables(judged: &Judged, dialect: DialectName) -> anyhow::Result<Result<Variables, Vec<Diagnostic>>> {
     let values = start_values(&judged.text, dialect, MAX_VARIABLES)?;
-    Ok(values.map(|values| Variables::new(values, judged.prefixes)))
+    Ok(values.map(Variables::new))
 }
 
 /// Returns at most `most` elementary variables of a program with their values at its start, or the diagnostics of the reference.

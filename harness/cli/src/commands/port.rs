@@ -44,7 +44,7 @@ struct Finding {
     /// The result in each dialect, from the one to the other; `null` where the program stops with a fault.
     #[serde(skip_serializing_if = "Option::is_none")]
     results: Option<[Option<String>; 2]>,
-    /// The source that states each result of a conversion; `null` where it is a choice of ours.
+    /// The source that states each result of a conversion, or that the other dialect rejects the place; `null` where no source does.
     #[serde(skip_serializing_if = "Option::is_none")]
     basis: Option<[Option<String>; 2]>,
 }
@@ -211,7 +211,15 @@ fn rejected(
                 Some(_) => fix::span(&diagnostic, text).and_then(|span| typed.widened_at(span)),
             };
             diagnostic.suggestion = better.or(diagnostic.suggestion);
-            findings.push(Finding::new(Kind::Rejected, diagnostic));
+            let basis = fix::span(&diagnostic, text).and_then(|span| typed.rejected_by(span));
+            diagnostic.message += &match &basis {
+                Some(basis) => format!(" (documented: {})", basis.split(':').next().unwrap_or(basis)),
+                None => " (our reading)".to_owned(),
+            };
+            findings.push(Finding {
+                basis: Some([None, basis]),
+                ..Finding::new(Kind::Rejected, diagnostic)
+            });
         }
     }
     for mut diagnostic in mistakes.into_iter().filter(Diagnostic::is_error) {

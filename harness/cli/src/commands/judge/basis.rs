@@ -9,6 +9,7 @@ use stickler_conversions::overview::{AssertedResult, boundary_calls};
 use stickler_exact::{expected, signatures};
 use stickler_reference::has_block;
 use stickler_reference::semantics::is_standard_function;
+use stickler_suite::Suite;
 use stickler_syntax::names::{UseKind, used};
 use stickler_types::{Dialect, DialectName};
 
@@ -24,7 +25,7 @@ pub(super) struct Used {
     pub open: usize,
 }
 
-/// The cases of the suite by the functions and function blocks that programs use; each is looked up once.
+/// The cases of the suite by the functions and function blocks that programs use; the new ones of a program are looked up together, once.
 pub(super) struct Basis {
     dialect: DialectName,
     cases: Option<CaseFolder>,
@@ -57,15 +58,28 @@ impl Basis {
         let mut names: Vec<_> = names.map(|one| one.name.text.to_ascii_uppercase()).collect();
         names.sort_unstable();
         names.dedup();
-        names.into_iter().map(|name| self.used(name)).collect()
+        let new = names.iter().filter(|name| !self.known.contains_key(*name));
+        let new: Vec<&String> = new.collect();
+        if !new.is_empty() {
+            let mut words: Vec<&str> = new.iter().map(|name| name.as_str()).collect();
+            if words.iter().any(|name| name.contains("TO_")) {
+                // Tables put the names of conversion functions together of those of types.
+                words.extend(["}_TO_", "TO_{"]);
+            }
+            let load = |folder: &CaseFolder| folder.load_mentioning(&words, &[self.dialect]);
+            let suite = self.cases.as_ref().map(load);
+            let found: Vec<Used> = new.iter().map(|name| self.used(name, suite.as_ref())).collect();
+            let found = found.into_iter().map(|used| (used.name.clone(), used));
+            self.known.extend(found);
+        }
+        let known = names.iter().filter_map(|name| self.known.get(name));
+        known.cloned().collect()
     }
 
-    fn used(&mut self, name: String) -> Used {
-        if let Some(known) = self.known.get(&name) {
-            return known.clone();
-        }
+    /// Counts the results of a function or function block; the suite has the cases that mention it.
+    fn used(&self, name: &str, suite: Option<&Suite>) -> Used {
         let mut found = Used {
-            name: name.clone(),
+            name: name.to_owned(),
             stated: 0,
             open: 0,
         };
@@ -73,12 +87,9 @@ impl Basis {
             true => found.stated += 1,
             false => found.open += 1,
         };
-        let standard = Dialect::of(self.dialect)
-            .standard_name(&name)
-            .to_ascii_uppercase();
+        let standard = Dialect::of(self.dialect).standard_name(name).to_ascii_uppercase();
         let conversions = signatures(&standard, self.dialect);
-        let suite = self.cases.as_ref().map(|folder| folder.load_mentioning(&name));
-        let asserted = suite.as_ref().map(|suite| asserted_results(suite, &standard));
+        let asserted = suite.map(|suite| asserted_results(suite, &standard));
         let asserted = asserted.unwrap_or_default();
         let is_source = |basis: &str| !basis.starts_with("rule:");
         for signature in &conversions {
@@ -93,11 +104,10 @@ impl Basis {
         }
         let suite = suite.filter(|_| conversions.is_empty());
         for case in suite.iter().flat_map(|suite| &suite.cases) {
-            if case.dialect == self.dialect && mentions(&case.source, &name) {
+            if case.dialect == self.dialect && mentions(&case.source, name) {
                 count(!case.is_open());
             }
         }
-        self.known.insert(name, found.clone());
         found
     }
 }

@@ -3,7 +3,8 @@
 use super::caller::Judged;
 use super::result::Expected;
 use super::variables::Variables;
-use anyhow::{Context, bail, ensure};
+use crate::source_file::place;
+use anyhow::{Context, anyhow, bail, ensure};
 use serde::Deserialize;
 use serde_json::{Map, Value as Json};
 use std::fs;
@@ -67,13 +68,13 @@ impl Trace {
         };
         let setting = |before: u32| move |(name, value)| Setting { before, name, value };
         for (name, given) in &self.start {
-            let found = variables.spread(judged.path(name), given)?;
+            let found = variables.spread(judged, name, given)?;
             request.set.extend(found.into_iter().map(setting(1)));
         }
         for scan in 1..=scans {
             let of_scan = |(name, column): (&String, &Json)| {
                 let given = at(column, scan)?;
-                let found = variables.spread(judged.path(name), given);
+                let found = variables.spread(judged, name, given);
                 Some(found.with_context(|| format!("scan {scan}")))
             };
             for found in self.inputs.iter().filter_map(of_scan) {
@@ -154,16 +155,23 @@ fn at(column: &Json, scan: u32) -> Option<&Json> {
 /// # Errors
 /// A file that cannot be read, or that holds no traces.
 pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Trace>> {
-    let shown = || path.display().to_string();
-    let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let place_of = |(line, column)| format!("{}:{line}:{column}", path.display());
+    let text = str::from_utf8(&bytes).map_err(|error| {
+        let place = place_of(place(&bytes[..error.valid_up_to()]));
+        anyhow!("{place}: a trace is text in UTF-8, and this byte is none")
+    })?;
     let is_csv = path
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-    let traces = match is_csv {
-        true => vec![table(&text).with_context(shown)?],
-        false if text.trim_start().starts_with('[') => serde_json::from_str(&text).with_context(shown)?,
-        false => vec![serde_json::from_str(&text).with_context(shown)?],
+    let read = match is_csv {
+        true => table(text).map(|trace| vec![trace]),
+        false if text.trim_start().starts_with('[') => serde_json::from_str(text).map_err(of_json),
+        false => serde_json::from_str(text)
+            .map(|trace| vec![trace])
+            .map_err(of_json),
     };
+    let traces = read.map_err(|(place, message)| anyhow!("{}: {message}", place_of(place)))?;
     ensure!(
         !traces.is_empty(),
         "{}: the list of traces is empty",
@@ -172,8 +180,22 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Trace>> {
     Ok(traces)
 }
 
+/// What is wrong with a text, behind its line and column.
+type Misreading = ((usize, usize), String);
+
+fn of_json(error: serde_json::Error) -> Misreading {
+    let (place, message) = ((error.line(), error.column()), error.to_string());
+    let behind = format!(" at line {} column {}", place.0, place.1);
+    (place, message.replace(&behind, ""))
+}
+
+fn of_csv(error: csv::Error) -> Misreading {
+    let line = error.position().map_or(1, |position| position.line() as usize);
+    ((line, 1), error.to_string())
+}
+
 /// Reads a table with a row a scan.
-fn table(text: &str) -> anyhow::Result<Trace> {
+fn table(text: &str) -> Result<Trace, Misreading> {
     // Spreadsheets of many countries separate the cells by semicolons.
     let head = text.lines().next().unwrap_or_default();
     let delimiter = if head.contains(';') { b';' } else { b',' };
@@ -181,10 +203,15 @@ fn table(text: &str) -> anyhow::Result<Trace> {
         .delimiter(delimiter)
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
-    let names: Vec<String> = reader.headers()?.iter().map(str::to_owned).collect();
+    let names: Vec<String> = reader
+        .headers()
+        .map_err(of_csv)?
+        .iter()
+        .map(str::to_owned)
+        .collect();
     let mut columns = vec![Vec::new(); names.len()];
     for row in reader.records() {
-        for (column, cell) in columns.iter_mut().zip(&row?) {
+        for (column, cell) in columns.iter_mut().zip(&row.map_err(of_csv)?) {
             column.push(match cell {
                 "" => Json::Null,
                 cell => Json::String(cell.to_owned()),

@@ -1,5 +1,6 @@
 //! The elementary variables of a program that is judged, and the values that a trace gives for them.
 
+use super::caller::Judged;
 use anyhow::{Context, bail, ensure};
 use serde_json::Value as Json;
 use std::sync::Arc;
@@ -15,33 +16,33 @@ const LISTED: usize = 12;
 pub(super) struct Variables {
     /// The path of each, as the program names it, and the value.
     list: Vec<(Arc<str>, Value)>,
-    /// The paths before which a trace names variables, the first that fits first.
-    prefixes: &'static [&'static str],
 }
 
 impl Variables {
-    /// Takes the variables with their values. A trace may leave out one of the prefixes before the name of a variable.
-    pub(super) fn new(values: Vec<(String, Value)>, prefixes: &'static [&'static str]) -> Variables {
+    /// Takes the variables with their values.
+    pub(super) fn new(values: Vec<(String, Value)>) -> Variables {
         let list = values.into_iter().map(|(name, value)| (name.into(), value));
-        Variables {
-            list: list.collect(),
-            prefixes,
-        }
+        Variables { list: list.collect() }
     }
 
-    /// Returns the elementary variables with the values that a trace gives for a variable.
+    /// Returns the elementary variables with the values that a trace gives for a variable by the name that it has there.
     ///
     /// # Errors
     /// A name that the program does not have; a value that is none of the variable's type, or has more parts.
-    pub(super) fn spread(&self, name: &str, given: &Json) -> anyhow::Result<Vec<(Arc<str>, Value)>> {
-        let paths = self.prefixes.iter().map(|prefix| format!("{prefix}{name}"));
+    pub(super) fn spread(
+        &self,
+        judged: &Judged,
+        name: &str,
+        given: &Json,
+    ) -> anyhow::Result<Vec<(Arc<str>, Value)>> {
+        let of_program = judged.path(name);
+        let paths = judged
+            .prefixes
+            .iter()
+            .map(|prefix| format!("{prefix}{of_program}"));
         let Some(path) = paths.into_iter().find(|path| self.has(path)) else {
-            let prefix = self.prefixes[0];
-            let known = self
-                .list
-                .iter()
-                .map(|(known, _)| known.strip_prefix(prefix).unwrap_or(known));
-            let shown: Vec<&str> = known.take(LISTED).collect();
+            let known = self.list.iter().map(|(known, _)| judged.shown(known));
+            let shown: Vec<String> = known.take(LISTED).collect();
             let more = if self.list.len() > LISTED { ", …" } else { "" };
             bail!(
                 "there is no variable `{name}`; there are {}{more}",

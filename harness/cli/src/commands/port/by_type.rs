@@ -9,11 +9,13 @@ use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::overview::AssertedResult;
 use stickler_reference::conversion::conversion_function_name;
 use stickler_reference::semantics::{TracedUse, UseKind, check_traced, is_standard_function};
+use stickler_suite::{Acceptance, Case, Suite};
 use stickler_syntax::Edits;
 use stickler_syntax::diagnostic::quoted;
+use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{Argument, Expression, ExpressionId, ExpressionKind, SourceUnit};
-use stickler_types::{Dialect, DialectName, ElementaryType, Value, WrittenValue};
+use stickler_types::{Dialect, DialectName, ElementaryType, Question, Value, WrittenValue};
 
 /// The maximum length of an operation, in bytes. What is longer has too many operands for an example.
 const MAX_LEN: usize = 400;
@@ -28,6 +30,10 @@ pub(super) struct Typed<'s> {
     types: HashMap<ExpressionId, (ElementaryType, ElementaryType)>,
     /// The folder of cases, if there is one.
     cases: Option<CaseFolder>,
+    /// The features that the program uses.
+    features: Vec<FeatureUse>,
+    /// The cases about implicit conversions in the other dialect, once they were asked for.
+    implicit: Option<Suite>,
     /// The results of conversion functions that cases assert, by the name of the function.
     asserted: HashMap<String, Vec<AssertedResult>>,
     /// The results of [`first_difference`], by the texts of both programs.
@@ -75,6 +81,8 @@ impl<'s> Typed<'s> {
             uses,
             types,
             cases,
+            features: feature_uses(text, dialect),
+            implicit: None,
             asserted: HashMap::new(),
             compared: HashMap::new(),
         }
@@ -113,6 +121,30 @@ impl<'s> Typed<'s> {
             }
         }
         found.into_values().collect()
+    }
+
+    /// Returns the source by which the other dialect rejects a place of the program: its features, by those that the place uses, or the claim that a
+    /// type does not convert to another. `None` where no source states it.
+    pub fn rejected_by(&mut self, place: Span) -> Option<String> {
+        let to = self.dialects[1];
+        let is_here = |used: &FeatureUse| used.span.start < place.end && place.start < used.span.end;
+        let mut lacked = self.features.iter().filter(|used| to.rules().lacks(&used.key));
+        let words = place.text(self.text).split('_');
+        let mut types = words.filter_map(ElementaryType::from_name);
+        if lacked.any(is_here) || types.any(|ty| !to.rules().may_name(ty)) {
+            return Some(format!("{}: features", to.base()));
+        }
+        let mut types = self.types.iter();
+        let (_, pair) = types.find(|(id, _)| self.expression(**id).span == place)?;
+        let (folder, pair) = (self.cases.as_ref()?, *pair);
+        let load = || folder.load_mentioning(&["implicit("], &[to]);
+        let suite = self.implicit.get_or_insert_with(load);
+        let states = |case: &&Case| {
+            let asks = matches!(case.question.as_deref(), Some(Question::Implicit(asked)) if *asked == pair);
+            asks && case.dialect == to && case.expectation.accepted == Acceptance::Rejected
+        };
+        let mut bases = suite.cases.iter().filter(states).map(|case| &*case.basis);
+        bases.find(|basis| !basis.starts_with("rule:")).map(str::to_owned)
     }
 
     /// Returns what to write at a place instead of an operator so that it computes in as wide a type as before.
@@ -323,7 +355,9 @@ impl<'s> Typed<'s> {
         let stated = stickler_exact::expected(&signature, operands, dialect);
         let mut basis = stated.basis.filter(|_| stated.value == *value).map(str::to_owned);
         if let (None, Some(folder)) = (&basis, &self.cases) {
-            let load = || documented::asserted_results(&folder.load_mentioning(&function), &function);
+            let load = || {
+                documented::asserted_results(&folder.load_mentioning(&[&function], &self.dialects), &function)
+            };
             let known = self.asserted.entry(function.clone()).or_insert_with(load);
             let is_result = |one: &&AssertedResult| {
                 one.dialect == dialect && one.operands == operands && one.value == *value
