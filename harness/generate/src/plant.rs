@@ -10,10 +10,11 @@ mod scope;
 mod walk;
 
 use crate::model::Program;
-use crate::writer::WrittenProgram;
+use crate::writer::{Style, WrittenProgram, write};
 use arbitrary::Unstructured;
 use fault_site::FaultSite;
 use kinds::KINDS;
+use stickler_syntax::features::features;
 use stickler_types::Code;
 
 /// A program with one error.
@@ -89,6 +90,13 @@ fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) 
     let kind = KINDS.get(number)?;
     let mut fault = FaultSite::new(program, input);
     kind.plant(&mut fault)?;
+    let rules = program.dialect.rules();
+    if !rules.features.lacked_types.is_empty() {
+        // A type that the dialect lacks would be an error of its own.
+        let text = write(&fault.program, &Style::default()).text;
+        let used = features(&text, rules);
+        used.iter().all(|feature| !rules.lacks(feature)).then_some(())?;
+    }
     Some(Planted {
         program: fault.program,
         code: kind.code,

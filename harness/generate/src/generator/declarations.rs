@@ -68,7 +68,7 @@ impl ProgramBuilder<'_, '_> {
     /// Declares a name for an array type, so that whole arrays can be assigned. Names for elementary types are declared only
     /// where open constructs are allowed: no document states whether they convert as their types do.
     fn declare_alias(&mut self) {
-        let ty = if self.open && self.random.chance(1, 2) {
+        let ty = if self.open && !self.lacks("type-alias") && self.random.chance(1, 2) {
             Type::Elementary(self.any_type())
         } else {
             self.array()

@@ -12,7 +12,10 @@ use stickler_types::{DialectName, ElementaryType, Observation, Outcome, RunReque
 static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLock::new(|| {
     DialectName::ALL.map(|dialect| {
         let names = functions(dialect).into_iter();
-        names.flat_map(|name| signatures(&name, dialect)).collect()
+        let may_name = |ty: &ElementaryType| dialect.rules().may_name(*ty);
+        let all = names.flat_map(|name| signatures(&name, dialect));
+        all.filter(|one| may_name(&one.result) && one.operands.iter().all(may_name))
+            .collect()
     })
 });
 
