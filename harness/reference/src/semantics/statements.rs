@@ -186,7 +186,7 @@ impl<'m> Lowering<'m> {
                 .is_some()
             {
                 let message = format!("the label `{text}` stands twice in one list of statements");
-                self.report(Code::SyntaxError, statement.span, message);
+                self.report(Code::SymbolDeclDuplicated, statement.span, message);
             }
         }
         labels
@@ -205,7 +205,7 @@ impl<'m> Lowering<'m> {
             Some(label) => label.jumps.push(self.emitter.jump()),
             None => {
                 let message = format!("no label `{text}` stands in the statements around the jump");
-                self.report(Code::SyntaxError, self.span(name), message);
+                self.report(Code::LabelNotAround, self.span(name), message);
             }
         }
     }

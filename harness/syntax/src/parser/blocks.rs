@@ -4,7 +4,9 @@ use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use crate::diagnostic::quoted;
 use crate::token::TokenKind;
-use crate::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind};
+use crate::tree::{
+    CaseBranch, CaseFolded, CaseLabel, ExpressionId, ExpressionKind, Statement, StatementKind,
+};
 
 impl<'s> Parser<'s, '_> {
     /// A block which is open waits for this keyword; or it closes a statement, and the innermost block is one,
@@ -240,6 +242,7 @@ impl<'s> Parser<'s, '_> {
     fn at_case_label(&mut self) -> bool {
         use TokenKind::*;
         match self.kind() {
+            Name if self.nth(1) == Colon && self.is_jumped_to() => false,
             Name => {
                 let mut ahead = 1;
                 while self.far_ahead(ahead) == Dot && self.far_ahead(ahead + 1) == Name {
@@ -259,6 +262,19 @@ impl<'s> Parser<'s, '_> {
             Enumerated | Plus | Minus | Not | LeftParen => true,
             kind => kind.is_literal(),
         }
+    }
+
+    /// Returns whether a JMP of the text leads to the next word, so that it is a label and no enumerated value.
+    fn is_jumped_to(&mut self) -> bool {
+        let (text, word) = (self.text, self.word());
+        let targets = self.jump_targets.get_or_insert_with(|| {
+            let words = text.split(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_');
+            let words = words.filter(|word| !word.is_empty());
+            let pairs = words.clone().zip(words.skip(1));
+            let jumps = pairs.filter(|(word, _)| word.eq_ignore_ascii_case("JMP"));
+            jumps.map(|(_, target)| CaseFolded(target)).collect()
+        });
+        !self.dialect.lacks("jump") && targets.contains(&CaseFolded(word))
     }
 
     /// Counts the tokens up to what comes behind the parentheses that open there. It is not looked for beyond the

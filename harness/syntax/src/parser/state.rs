@@ -5,7 +5,8 @@ use crate::diagnostic::{SpannedDiagnostic, quoted};
 use crate::lexer::Lexer;
 use crate::source::{MAX_LENGTH, Span};
 use crate::token::{Token, TokenKind};
-use crate::tree::{Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, VariableBlock};
+use crate::tree::{CaseFolded, Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, VariableBlock};
+use rustc_hash::FxHashSet;
 use stickler_types::Code;
 use stickler_types::dialect::Dialect;
 
@@ -77,6 +78,8 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) incomplete: bool,
     /// The number of names in the head of each namespace that is open.
     pub(super) namespaces: Vec<usize>,
+    /// The words behind JMP in the text, once they have been looked for.
+    pub(super) jump_targets: Option<FxHashSet<CaseFolded<'s>>>,
     depth: usize,
     reported: Option<usize>,
     limit_reported: bool,
@@ -108,6 +111,7 @@ impl<'s, 'd> Parser<'s, 'd> {
             refused: false,
             incomplete: false,
             namespaces: Vec::new(),
+            jump_targets: None,
             depth: 0,
             reported: None,
             limit_reported: false,
