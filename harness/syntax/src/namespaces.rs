@@ -85,7 +85,8 @@ impl<'s> Namespaces<'s> {
                 Declaration::Pou(pou) if !pou.using.is_empty() => {
                     let around = namespaces.current();
                     let inside = namespaces.add(around);
-                    namespaces.changes.push((pou.using[0].span.start, inside));
+                    // USING in the head holds for its result and its bases, too.
+                    namespaces.changes.push((pou.name.span.end, inside));
                     namespaces.changes.push((pou.span.end, around));
                     using.extend(pou.using.iter().map(|name| (inside, *name)));
                 }
