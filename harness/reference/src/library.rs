@@ -22,10 +22,12 @@ const TIME: &str = include_str!("../library/time.st");
 /// The blocks of systems whose inputs are called SET and RESET.
 const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
-/// The standard functions and function blocks, and the operators of systems with the form of a call, that are not implemented.
+/// The standard functions and function blocks, and the operators of systems with the form of a call or a type, that are not implemented.
 ///
-/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords.
-const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF";
+/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords; strucpp-tests: st-validation/data_types/time_types.st.
+const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF __COMPARE_AND_SWAP __CURRENTTASK __DELETE __FPOINTER __NEW \
+                               __POOL __POSITION __POUNAME __QUERYINTERFACE __QUERYPOINTER __VARINFO __VECTOR __XADD TIME_TO_NS \
+                               TIME_TO_US";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {
@@ -97,6 +99,13 @@ fn block(name: &str, dialect: &Dialect) -> Option<String> {
     let other_inputs = dialect.set_and_reset_inputs.then_some(SET_AND_RESET);
     if let Some(text) = other_inputs.and_then(|text| cut(text, name)) {
         return Some(text.to_owned());
+    }
+    if let Some((ty, clock)) = CLOCKS
+        .iter()
+        .find(|(ty, _)| dialect.system_time && ty.name() == name)
+    {
+        let text = written("STICKLER_TIME")?.replace("TIME", ty.name());
+        return Some(text.replace(CLOCKS[0].1, clock));
     }
     let own = |text: &str| match name {
         "F_TRIG" if !dialect.first_call_falls => text.replace("M : BOOL;", "M : BOOL := TRUE;"),

@@ -15,9 +15,9 @@ mod unit;
 
 pub use configuration::{Configuration, ProgramInstance, Resource, Task};
 pub use declarations::{
-    Access, ArrayElement, Declaration, Edge, Initializer, InitializerKind, Modifiers, PointerForm, Pou,
-    PouKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
-    VariableKind,
+    ANY_ARGUMENTS, Access, ArrayElement, Declaration, Edge, Initializer, InitializerKind, Modifiers,
+    PointerForm, Pou, PouKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup, VariableKind,
 };
 pub use expressions::{Argument, BinaryOperator, Expression, ExpressionKind, UnaryOperator};
 pub use literals::{Literal, LiteralKind, Prefixed};

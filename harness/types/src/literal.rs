@@ -11,7 +11,9 @@ pub mod number;
 pub mod real;
 pub mod text;
 
-pub use date::{date, date_and_time, time_of_day, write_date, write_date_and_time, write_time_of_day};
+pub use date::{
+    date, date_and_time, time_of_day, with_seconds, write_date, write_date_and_time, write_time_of_day,
+};
 pub use duration::{UNITS as DURATION_UNITS, duration, wide_duration, write_milliseconds, write_nanoseconds};
 pub use error::LiteralError;
 pub use number::{integer, unsigned_integer};

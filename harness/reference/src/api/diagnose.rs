@@ -122,5 +122,9 @@ pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnost
 /// Returns the diagnostic for a text that is acceptable and has nothing to run, at its last token.
 pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> SpannedDiagnostic {
     let span = stickler_syntax::last_token(source, dialect);
+    if dialect.external_functions && source.contains("{external}") {
+        let message = "what calls functions behind `{external}`, whose bodies are elsewhere, cannot run: this is not implemented";
+        return SpannedDiagnostic::new(Code::NotImplemented, span, message);
+    }
     SpannedDiagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")
 }

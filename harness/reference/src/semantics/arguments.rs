@@ -46,7 +46,7 @@ impl<'m> Lowering<'m> {
         let entry = &self.model.pous[pou as usize];
         let levels = self.model.levels(pou);
         let parameters = || levels.iter().flat_map(|level| &level.parameters).copied();
-        let needed = levels.iter().map(|level| level.parameters.len()).sum();
+        let needed: usize = levels.iter().map(|level| level.parameters.len()).sum();
         let positional: Vec<_> = arguments
             .iter()
             .filter_map(|argument| match argument {
@@ -63,7 +63,8 @@ impl<'m> Lowering<'m> {
         }
         let is_plain = entry.pou.kind == PouKind::Function;
         let by_position = !positional.is_empty() || (is_plain && arguments.is_empty());
-        if by_position && positional.len() != needed {
+        let (first, more) = positional.split_at(needed.min(positional.len()));
+        if by_position && (first.len() != needed || !more.is_empty() && !entry.takes_more) {
             let code = if entry.is_function() {
                 Code::FunctionCallWrongArgCount
             } else {
@@ -78,7 +79,13 @@ impl<'m> Lowering<'m> {
             return None;
         }
         let mut bound = BoundArguments::default();
-        bound.inputs.extend(parameters().zip(positional));
+        bound.inputs.extend(parameters().zip(first.iter().copied()));
+        for &argument in more {
+            // What takes more has no body here, so that only what is wrong inside an argument counts.
+            let start = self.emitter.position();
+            self.value(argument, None);
+            self.emitter.truncate(start);
+        }
         self.bind_names(entry, arguments, &mut bound);
         if !by_position {
             self.find_omitted(&levels, needed, call, &mut bound);

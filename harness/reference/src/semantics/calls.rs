@@ -1,6 +1,7 @@
 //! Calls: what is called, and what comes of it.
 
 use super::inferred::Inferred;
+use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::methods::Receiver;
 use super::model::{SEVERAL_NAMESPACES, TopLevelName};
@@ -14,6 +15,9 @@ use stickler_syntax::Meaning;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, Dialect, ElementaryType};
+
+/// Why the program of a name cannot be called.
+const NO_PROGRAM_IN_FUNCTION: &str = "is a program, which no function may call";
 
 /// The callee of a call.
 #[derive(Clone, Copy, Debug)]
@@ -80,6 +84,24 @@ impl<'m> Lowering<'m> {
         }
     }
 
+    /// Returns the variables of the program that a name means, where programs are called by their names.
+    pub(super) fn called_program(&self, name: Name<'_>) -> Option<VariablePlace> {
+        let Some(TopLevelName::Pou(pou)) = self.model.definition(name) else {
+            return None;
+        };
+        let index = self.model.called_programs.get(&pou)?;
+        let place = Location::Absolute(self.model.instances[*index].base);
+        let is_hidden = self.variable(name.text).is_some();
+        (!is_hidden).then(|| VariablePlace::new(place, self.model.pous[pou as usize].ty))
+    }
+
+    fn may_call_programs(&self) -> bool {
+        let is_function = self
+            .entry()
+            .is_some_and(|entry| entry.pou.kind == PouKind::Function);
+        !is_function || self.model.source.dialect.programs_in_functions
+    }
+
     fn block_or_not(&self, ty: TypeId) -> Callee {
         match self.model.types.kind(ty) {
             TypeKind::FunctionBlock(block) => match self.model.pous[block.pou as usize].pou.kind {
@@ -111,6 +133,11 @@ impl<'m> Lowering<'m> {
             Meaning::One(TopLevelName::Pou(pou)) => {
                 return match self.model.pous[pou as usize].pou.kind {
                     PouKind::Function => Callee::Function(pou),
+                    PouKind::Program if self.called_program(name).is_some() => match self.may_call_programs()
+                    {
+                        true => Callee::Block(pou),
+                        false => Callee::Nothing(Code::FunctionCallUndeclared, NO_PROGRAM_IN_FUNCTION),
+                    },
                     PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => Callee::Nothing(
                         Code::FunctionBlockNotInScope,
                         "is a type of function block; what is called is a variable of that type",
@@ -135,13 +162,16 @@ impl<'m> Lowering<'m> {
         if let Some(standard) = standard_function(name) {
             return Callee::Standard(standard);
         }
+        if let (true, Some(TopLevelName::Pou(pou))) = (dialect.system_time, self.model.clock_function(name)) {
+            return Callee::Function(pou);
+        }
         if let Some(conversion) = function(name, dialect) {
             return Callee::Conversion(conversion);
         }
         match concatenation(name, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
             None if is_not_implemented(name) => {
-                Callee::Nothing(Code::NotImplemented, "is standard, and not implemented")
+                Callee::Nothing(Code::NotImplemented, "is known, and not implemented")
             }
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
         }
@@ -277,8 +307,10 @@ impl<'m> Lowering<'m> {
     ) -> LoweredValue {
         let name = self.model.source.text_of(callee);
         let hint = match code {
-            Code::FunctionCallUndeclared if ![NOT_IN_DIALECT, SEVERAL_NAMESPACES].contains(&reason) => {
-                self.similar_function(name)
+            Code::FunctionCallUndeclared
+                if ![NOT_IN_DIALECT, SEVERAL_NAMESPACES, NO_PROGRAM_IN_FUNCTION].contains(&reason) =>
+            {
+                self.similar_function(callee)
             }
             _ => String::new(),
         };

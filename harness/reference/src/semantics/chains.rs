@@ -38,8 +38,12 @@ impl Lowering<'_> {
             let operation = match self.operation(operator, operands, wanted) {
                 OperatorSignature::Defined(operation) => Some(operation),
                 OperatorSignature::Undefined => {
-                    let message = self.undefined(operator.as_str(), operands);
-                    self.report(self.undefined_code(operator, operands), self.span(at), message);
+                    let code = self.undefined_code(operator, operands);
+                    let mut message = self.undefined(operator.as_str(), operands);
+                    if code == Code::NotImplemented {
+                        message += ": addresses that move by whole variables are not implemented";
+                    }
+                    self.report(code, self.span(at), message);
                     None
                 }
                 OperatorSignature::Untyped(_) | OperatorSignature::Silent => None,

@@ -62,7 +62,10 @@ fn lower(
 }
 
 fn finish(model: Model<'_>, program: MachineProgram, reporter: &Reporter) -> Option<CheckedProgram> {
-    if reporter.has_errors() || model.instances.is_empty() {
+    if reporter.has_errors()
+        || model.has_external_functions()
+        || model.instances.iter().all(|instance| !instance.runs)
+    {
         return None;
     }
     Some(CheckedProgram {

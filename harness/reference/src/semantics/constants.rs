@@ -186,7 +186,7 @@ impl<'m> Lowering<'m> {
             Callee::Conversion(_) | Callee::Concatenation(_) => Ok(()),
             Callee::Nothing(code @ Code::FunctionCallUndeclared, reason) => {
                 let name = self.model.source.text_of(callee);
-                let hint = self.similar_function(name);
+                let hint = self.similar_function(callee);
                 let message = format!("`{name}` {reason}{hint}");
                 Err(Some(SpannedDiagnostic::new(code, self.span(callee), message)))
             }

@@ -17,8 +17,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_syntax::Namespaces;
 use stickler_syntax::source::{Span, saturating_u32};
 use stickler_syntax::tree::{
-    CaseFolded, Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
-    VariableBlock,
+    CaseFolded, Configuration, Declaration, ExpressionKind, Name, Pou, PouKind, TypeDeclaration,
+    TypeSpecification, VariableBlock,
 };
 use stickler_types::Code;
 
@@ -88,6 +88,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         initial_values: Vec::new(),
         passed_over: FxHashSet::default(),
         instances: Vec::new(),
+        called_programs: FxHashMap::default(),
         configured: Vec::new(),
         routines: 0,
         has_members: false,
@@ -115,6 +116,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
     declarer.resolve_deferred();
     declarer.link_members();
     declarer.choose_instances();
+    declarer.add_called_programs();
     declarer.configure_variables();
     let memory = declarer.lay_out();
     declarer.model.declared_types = declarer
@@ -177,6 +179,7 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
+            takes_more: false,
             ty: TypeId::ERROR,
             body,
             initial,
@@ -280,8 +283,40 @@ impl<'u> Declarer<'u, '_> {
                 name: entry.pou.name.text,
                 pou,
                 base: 0,
+                runs: true,
             });
         }
+    }
+
+    /// Gives the programs that expressions name the one instance that they have where programs are called by their names.
+    ///
+    /// Basis: codesys-pages: _cds_obj_program.
+    fn add_called_programs(&mut self) {
+        let source = self.model.source;
+        if !source.dialect.programs_called {
+            return;
+        }
+        let running = self.model.instances.iter().enumerate().rev();
+        let mut called: FxHashMap<u32, usize> =
+            running.map(|(index, instance)| (instance.pou, index)).collect();
+        for expression in &source.unit.expressions {
+            if let ExpressionKind::Name(name) = expression.kind
+                && let Some(TopLevelName::Pou(pou)) = self.model.definition(name)
+                && let entry = self.model.pous[pou as usize].pou
+                && entry.kind == PouKind::Program
+                && !called.contains_key(&pou)
+            {
+                called.insert(pou, self.model.instances.len());
+                let (name, base, runs) = (entry.name.text, 0, false);
+                self.model.instances.push(Instance {
+                    name,
+                    pou,
+                    base,
+                    runs,
+                });
+            }
+        }
+        self.model.called_programs = called;
     }
 
     fn configured_instances(&mut self) {
@@ -319,6 +354,7 @@ impl<'u> Declarer<'u, '_> {
                     name: name.text,
                     pou,
                     base: 0,
+                    runs: true,
                 });
             }
             _ => {

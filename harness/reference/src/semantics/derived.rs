@@ -5,7 +5,7 @@ use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::misfit::describe;
 use super::types::{TypeId, TypeKind, TypeMember};
-use stickler_syntax::tree::{ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, VariableKind};
 
 impl<'m> Lowering<'m> {
     /// Returns whether a value would have to convert to the type of `target` although it, or `target`, is of a user-defined type that
@@ -73,10 +73,30 @@ impl<'m> Lowering<'m> {
     /// Returns the element or variable of a name that can be reached in what an expression of a type names: all of the instance whose
     /// code is running.
     pub(super) fn member_of(&self, base: ExpressionId, ty: TypeId, name: &str) -> Option<&'m TypeMember> {
+        let types = &self.model.types;
         match self.own_instance_of(base) {
-            Some(_) => self.model.types.member(ty, name),
-            None => self.model.types.element(ty, name),
+            Some(_) => types.member(ty, name),
+            None => types
+                .element(ty, name)
+                .or_else(|| self.readable_local(base, ty, name)),
         }
+    }
+
+    /// Returns the variable of a function block or program that may be read from outside, and not written, in some dialects.
+    pub(super) fn readable_local(
+        &self,
+        base: ExpressionId,
+        ty: TypeId,
+        name: &str,
+    ) -> Option<&'m TypeMember> {
+        let types = &self.model.types;
+        let member = types
+            .member(ty, name)
+            .filter(|_| self.model.source.dialect.locals_readable)?;
+        // The type of a program is a structure.
+        let is_own = types.element(ty, name).is_none()
+            || matches!(self.expression(base).kind, ExpressionKind::Name(name) if self.called_program(name).is_some());
+        (is_own && member.kind == VariableKind::Local).then_some(member)
     }
 
     /// Returns the type of an expression that has one by itself.

@@ -86,7 +86,10 @@ impl<'m> Lowering<'m> {
             None if self.is_null(name.text) => Inferred::Known(TypeId::ADDRESS),
             None => match self.own_instance_of(id) {
                 Some(own) => self.inferred_of(self.model.pous[own.pou as usize].ty),
-                None => self.infer_property(id),
+                None => match self.called_program(name) {
+                    Some(program) => self.inferred_of(program.ty),
+                    None => self.infer_property(id),
+                },
             },
         }
     }

@@ -16,7 +16,7 @@ use super::trace::UseKind;
 use super::types::{TypeId, TypeKind};
 use crate::instruction::Instruction;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionId, VariableKind};
+use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The type that a cell with an address counts as.
@@ -266,7 +266,17 @@ impl<'m> Lowering<'m> {
 
     /// Says that a constant cannot be written.
     pub(super) fn refuse_constant(&mut self, target: ExpressionId) {
-        let message = format!("`{}` is a CONSTANT", self.model.source.text_of(target));
+        let text = self.model.source.text_of(target);
+        if let ExpressionKind::Field { base, field } = self.expression(target).kind
+            && let Some(ty) = self.known_type(base)
+            && self
+                .readable_local(base, ty, field.text)
+                .is_some_and(|local| !local.constant)
+        {
+            let message = format!("`{text}` is no input: only the code of its block may write it");
+            return self.report(Code::MemberNotAccessible, self.span(target), message);
+        }
+        let message = format!("`{text}` is a CONSTANT");
         self.report(Code::AssignmentToConstant, self.span(target), message);
     }
 }

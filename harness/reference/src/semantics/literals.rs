@@ -276,8 +276,9 @@ fn read(signed: Signed<'_>, ty: ElementaryType, dialect: &Dialect) -> Result<u64
             fits.then_some(nanoseconds as u64).ok_or(beyond)
         }
         Family::Date => literal::date(text).map(i64::cast_unsigned),
-        Family::TimeOfDay => literal::time_of_day(text).map(i64::cast_unsigned),
-        _ => literal::date_and_time(text).map(i64::cast_unsigned),
+        // The lexer lets the seconds be left out only where the dialect does.
+        Family::TimeOfDay => literal::time_of_day(&literal::with_seconds(text)).map(i64::cast_unsigned),
+        _ => literal::date_and_time(&literal::with_seconds(text)).map(i64::cast_unsigned),
     }
 }
 

@@ -71,6 +71,8 @@ pub(super) struct Model<'u> {
     pub(super) passed_over: FxHashSet<u32>,
     /// The program instances in the order in which they run.
     pub(super) instances: Vec<Instance<'u>>,
+    /// The instance that the name of a program means, among [`Self::instances`], by its index into [`Self::pous`].
+    pub(super) called_programs: FxHashMap<u32, usize>,
     /// The initial values that VAR_CONFIG sections give.
     pub(super) configured: Vec<ConfiguredValue<'u>>,
     /// The number of routines that have been given out.
@@ -109,6 +111,8 @@ pub(super) struct PouEntry<'u> {
     pub(super) result: Option<u32>,
     /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
+    /// Whether a call may give more arguments by position than these: `args : ...`.
+    pub(super) takes_more: bool,
     /// The type of a function block or program, whose members its variables are.
     pub(super) ty: TypeId,
     /// The body.
@@ -283,7 +287,7 @@ pub(super) enum DefaultInitialValue<'u> {
     Declared(TypeId, &'u Initializer<'u>),
 }
 
-/// A program that runs once a scan.
+/// A program that runs once a scan, or that others call.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instance<'u> {
     /// The name; where there is no CONFIGURATION, the program's own.
@@ -292,6 +296,8 @@ pub(super) struct Instance<'u> {
     pub(super) pou: u32,
     /// The address of its variables.
     pub(super) base: u32,
+    /// Whether it runs without being called.
+    pub(super) runs: bool,
 }
 
 /// An initial value that a VAR_CONFIG gives to a variable of a program instance.
@@ -319,6 +325,28 @@ impl<'u> Model<'u> {
         self.meaning(name).one()
     }
 
+    /// Returns whether functions have no body in the text, as `{external}` before them says.
+    pub(super) fn has_external_functions(&self) -> bool {
+        let is_external = |entry: &PouEntry<'_>| {
+            let before = self
+                .source
+                .text
+                .get(..entry.pou.span.start as usize)
+                .unwrap_or("");
+            before.trim_end().ends_with("{external}")
+        };
+        self.source.dialect.external_functions && self.pous.iter().any(is_external)
+    }
+
+    /// Returns the function of `library` that TIME() or LTIME() calls.
+    pub(super) fn clock_function(&self, name: &str) -> Option<TopLevelName> {
+        let own = ["TIME", "LTIME"]
+            .iter()
+            .find(|ty| name.eq_ignore_ascii_case(ty))?;
+        let own = format!("STICKLER_{own}");
+        self.definitions.get(&(0, CaseFolded(&own))).copied()
+    }
+
     /// A variable.
     pub(super) fn variable(&self, index: u32) -> &DeclaredVariable<'u> {
         &self.variables[index as usize]
@@ -327,10 +355,17 @@ impl<'u> Model<'u> {
     /// Finds the method or property of a name in a POU, or in those above it.
     pub(super) fn member(&self, pou: u32, name: &str) -> Option<Member> {
         let mut waiting = vec![pou];
+        let mut found: Option<Member> = None;
         while let Some(next) = waiting.pop() {
             let entry = &self.pous[next as usize];
-            if let Some(member) = entry.members.get(&CaseFolded(name)) {
-                return Some(*member);
+            if let Some(&member) = entry.members.get(&CaseFolded(name)) {
+                // Of a property, GET and SET are inherited one by one.
+                let nearest = found.get_or_insert(member);
+                nearest.getter = nearest.getter.or(member.getter);
+                nearest.setter = nearest.setter.or(member.setter);
+                if nearest.method.is_some() || nearest.getter.is_some() && nearest.setter.is_some() {
+                    return found;
+                }
             }
             if entry.pou.kind == PouKind::Interface || entry.pou.modifiers.is_abstract {
                 waiting.extend(&entry.interfaces);
@@ -338,7 +373,7 @@ impl<'u> Model<'u> {
             // What is inherited comes before what is only promised.
             waiting.extend(entry.base);
         }
-        None
+        found
     }
 
     /// Returns whether a POU is another one, or extends it.

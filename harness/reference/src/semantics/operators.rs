@@ -88,6 +88,12 @@ impl TypeRules<'_> {
         if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
             return OperatorSignature::Silent;
         }
+        let is_pointer = |value| matches!(value, Inferred::Known(ty) if self.types.pointer(ty).is_some());
+        // There an address moves by whole variables, and not by bytes.
+        let moves = self.dialect.references_are_pointers && (is_pointer(left) || is_pointer(right));
+        if moves && matches!(self.group(operator), OperatorGroup::Arithmetic(_)) {
+            return OperatorSignature::Undefined;
+        }
         let (left, right) = (self.address(left), self.address(right));
         let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),

@@ -80,6 +80,9 @@ impl<'m> Lowering<'m> {
         if let Some(own) = self.own_instance_of(id) {
             return self.own_place(own);
         }
+        if let Some(program) = self.called_program(name) {
+            return Some(program);
+        }
         let what = if self.enumerated_name(name.text).is_some() {
             "is an enumerated value, no variable".to_owned()
         } else if self.model.definition(name).is_some() {
@@ -107,7 +110,9 @@ impl<'m> Lowering<'m> {
         };
         let place = self.entered(place);
         let location = self.member_location(place, member);
-        let constant = place.constant || member.constant;
+        let is_local = self.own_instance_of(base).is_none()
+            && self.readable_local(base, place.content(), field.text).is_some();
+        let constant = place.constant || member.constant || is_local;
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             constant,
             overlaid: place.overlaid,

@@ -26,6 +26,10 @@ impl<'u> Declarer<'u, '_> {
         target: &'u TypeSpecification<'u>,
         hint: &'u str,
     ) -> TypeId {
+        let form = match form {
+            PointerForm::RefTo if self.model.source.dialect.references_are_pointers => PointerForm::PointerTo,
+            form => form,
+        };
         let ty = self.model.types.add_pointer(form);
         let pou = self.current;
         let pending = PendingPointer {
@@ -70,7 +74,7 @@ impl<'u> Declarer<'u, '_> {
 
 /// Returns whether addresses are numbers, so that a pointer of any type leads anywhere.
 pub(super) fn addresses_are_numbers(dialect: &Dialect) -> bool {
-    !dialect.lacks("pointer-arithmetic")
+    !dialect.lacks("pointer-arithmetic") || dialect.references_are_pointers
 }
 
 /// Returns whether a value of one type may stand where another is expected, at least one of which is a reference or pointer.

@@ -226,8 +226,9 @@ impl<'m> Lowering<'m> {
             return LoweredValue::ERROR;
         };
         let types = &self.model.types;
-        let wanted = types.named_type(target);
-        if wanted != TypeId::ERROR && !types.is_same_variable(ty, wanted) {
+        let wanted = types.pointer(target).map_or(target, |pointer| pointer.target);
+        let fits = types.is_same_variable(ty, wanted) || types.derives(ty, wanted);
+        if wanted != TypeId::ERROR && !fits {
             let (target, ty) = (types.name(target), types.name(ty));
             let message = format!("{target} is bound to a variable, not {ty}");
             self.report(Code::ReferenceTypeMismatch, self.span(id), message);
@@ -243,7 +244,9 @@ impl<'m> Lowering<'m> {
             return;
         };
         let span = self.span(target);
-        if self.model.types.named_type(place.ty) == place.ty {
+        let is_pointer = self.model.types.pointer(place.ty).is_some();
+        let is_bound = is_pointer && self.model.source.dialect.references_are_pointers;
+        if self.model.types.named_type(place.ty) == place.ty && !is_bound {
             let message = "`REF=` binds a variable that is declared with REFERENCE TO";
             self.report(Code::SyntaxError, span, message);
             return;
@@ -306,6 +309,7 @@ impl<'m> Lowering<'m> {
             _ if !is_pointer(left) && !is_pointer(right) => Code::OperatorOperandTypeMismatch,
             Equal | NotEqual => Code::ReferenceTypeMismatch,
             Less | LessOrEqual | Greater | GreaterOrEqual => Code::OrderingOnReference,
+            _ if self.model.source.dialect.references_are_pointers => Code::NotImplemented,
             _ => Code::ArithmeticOnReference,
         }
     }

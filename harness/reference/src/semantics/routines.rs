@@ -38,7 +38,7 @@ impl<'m> Lowering<'m> {
         self.pou = None;
         let startup = self.startup();
         let scan = self.emitter.begin_new();
-        for instance in &model.instances {
+        for instance in model.instances.iter().filter(|instance| instance.runs) {
             self.set_line(model.pous[instance.pou as usize].pou.name.span);
             self.emit(Instruction::Address(instance.base));
             self.emit(Instruction::CallInstance(model.pous[instance.pou as usize].body));

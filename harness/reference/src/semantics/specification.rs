@@ -5,6 +5,7 @@ use super::literals::missing_type;
 use super::memory::MAX_CELLS;
 use super::model::{DefaultInitialValue, SEVERAL_NAMESPACES, TopLevelName};
 use super::scope::NamedList;
+use super::suggestion::similar_declared;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
 };
@@ -110,11 +111,12 @@ impl<'u> Declarer<'u, '_> {
             }
             None if name.text.is_empty() => {}
             None if is_not_implemented(name.text) => {
-                let message = format!("`{}` is standard, and not implemented", name.text);
+                let message = format!("`{}` is known, and not implemented", name.text);
                 self.report(Code::NotImplemented, name.span, message);
             }
             None => {
-                let message = format!("type `{}` is not declared", name.text);
+                let hint = similar_declared(&self.model, name, false, &mut self.guesses);
+                let message = format!("type `{}` is not declared{hint}", name.text);
                 self.report(Code::UndeclaredUnknownType, name.span, message);
             }
         }

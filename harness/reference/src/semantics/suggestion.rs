@@ -10,13 +10,17 @@ use super::standard_signatures::STANDARD_FUNCTIONS;
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
 use crate::library;
+use std::fmt::Display;
 use std::sync::LazyLock;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
-use stickler_syntax::tree::{ExpressionId, Name};
+use stickler_syntax::tree::{Declaration, ExpressionId, Name, PouKind};
 use stickler_types::{ElementaryType, joined};
 
 /// The most names of the text that are compared with an unknown one.
 const MAX_CANDIDATES: usize = 2000;
+
+/// The most letters of a name for which similar ones are looked for.
+const MAX_NAME_LEN: usize = 40;
 
 impl<'m> Lowering<'m> {
     /// Reports a value that does not fit where it stands, with the conversion call that would make it fit.
@@ -82,8 +86,14 @@ impl<'m> Lowering<'m> {
     }
 
     /// Returns the end of a message about an undeclared function.
-    pub(super) fn similar_function(&mut self, name: &str) -> String {
-        similar_function(self.model, name, &mut self.guesses)
+    pub(super) fn similar_function(&mut self, id: ExpressionId) -> String {
+        let (text, span) = (self.model.source.text_of(id), self.span(id));
+        match similar_function(self.model, text, &mut self.guesses) {
+            none if none.is_empty() => {
+                similar_declared(self.model, Name { text, span }, true, &mut self.guesses)
+            }
+            similar => similar,
+        }
     }
 
     /// Returns the end of a message about an undeclared variable.
@@ -125,6 +135,45 @@ fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String 
     )
 }
 
+/// Returns the end of a message about a type that is not declared, or a function where `is_function` says so: those of the text whose
+/// names are near, with the namespaces that must stand before them.
+pub(super) fn similar_declared(
+    model: &Model<'_>,
+    name: Name<'_>,
+    is_function: bool,
+    guesses: &mut u32,
+) -> String {
+    let (mut path, mut declared) = (Vec::new(), Vec::new());
+    for declaration in &model.source.unit.declarations {
+        match declaration {
+            Declaration::Namespace(name) => path.push(name.text),
+            Declaration::EndNamespace(_) => _ = path.pop(),
+            Declaration::Pou(pou) if pou.kind == PouKind::Program => {}
+            Declaration::Pou(pou) if (pou.kind == PouKind::Function) == is_function => {
+                declared.push((path.join("."), pou.name.text));
+            }
+            Declaration::Types(types) if !is_function => {
+                declared.extend(types.iter().map(|ty| (path.join("."), ty.name.text)));
+            }
+            _ => {}
+        }
+    }
+    let last = name.text.rsplit('.').next().unwrap_or_default();
+    if *guesses == 0 || !(3..=MAX_NAME_LEN).contains(&last.len()) {
+        return String::new();
+    }
+    *guesses -= 1;
+    let spelled = |path: &str, text: &str| match model.definition(Name { text, ..name }) {
+        None if !path.is_empty() => format!("{path}.{text}"),
+        _ => text.to_owned(),
+    };
+    let near = declared.iter().take(MAX_CANDIDATES).filter_map(|(path, text)| {
+        let changes = distance(last, text);
+        (changes <= allowed_changes(last)).then(|| (changes, spelled(path, text)))
+    });
+    did_you_mean(near.filter(|(_, meant)| meant != name.text).collect())
+}
+
 /// Every standard function and type conversion function, the shortest names first.
 pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
     let standard = STANDARD_FUNCTIONS.iter().map(|function| function.name);
@@ -151,18 +200,26 @@ fn similar<'n>(
     exists: impl Fn(&str) -> bool,
     guesses: &mut u32,
 ) -> String {
-    const MAX_NAME_LEN: usize = 40;
     if *guesses == 0 || !(3..=MAX_NAME_LEN).contains(&name.len()) {
         return String::new();
     }
     *guesses -= 1;
     let wanted = Candidate::new(name);
-    let allowed = if name.len() < 6 { 1 } else { MAX_CHANGES };
-    let mut near: Vec<_> = known
+    let allowed = allowed_changes(name);
+    let near = known
         .filter(|other| other.may_be_similar(wanted, allowed))
         .map(|other| (distance(name, other.name), other.name))
-        .filter(|&(changes, other)| changes > 0 && changes <= allowed && exists(other))
-        .collect();
+        .filter(|&(changes, other)| changes > 0 && changes <= allowed && exists(other));
+    did_you_mean(near.collect())
+}
+
+/// Returns how many changes may make a name that was meant of one.
+fn allowed_changes(name: &str) -> usize {
+    if name.len() < 6 { 1 } else { MAX_CHANGES }
+}
+
+/// The end of a message with the names of fewest changes.
+fn did_you_mean<N: Ord + Display>(mut near: Vec<(usize, N)>) -> String {
     near.sort_unstable();
     near.dedup();
     let nearest = near.first().map_or(0, |&(changes, _)| changes);

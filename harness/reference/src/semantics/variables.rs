@@ -7,7 +7,8 @@ use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
 use stickler_syntax::source::saturating_u32;
 use stickler_syntax::tree::{
-    CaseFolded, Edge, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+    ANY_ARGUMENTS, CaseFolded, Edge, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup,
+    VariableKind,
 };
 use stickler_types::Code;
 
@@ -19,7 +20,10 @@ impl<'u> Declarer<'u, '_> {
         let pou = self.model.pous[index].pou;
         self.resolve_bases(index);
         let is_function = self.model.pous[index].is_function();
-        for block in &pou.blocks {
+        // Other declarations may name a constant that stands behind them.
+        let is_first = |block: &&VariableBlock<'u>| block.constant && block.kind == VariableKind::Local;
+        let (first_blocks, blocks): (Vec<_>, Vec<_>) = pou.blocks.iter().partition(is_first);
+        for block in first_blocks.into_iter().chain(blocks) {
             // The variables of VAR_INST have been declared with the owner's.
             let declared = block.kind == VariableKind::Instance && pou.kind.is_member();
             for group in block.groups.iter().filter(|_| !declared) {
@@ -45,6 +49,13 @@ impl<'u> Declarer<'u, '_> {
         block: &'u VariableBlock<'u>,
         group: &'u VariableGroup<'u>,
     ) {
+        let is_last = block.kind == VariableKind::Input && self.model.pous[pou].is_function();
+        if is_last
+            && matches!(group.specification.kind, TypeSpecificationKind::Named(name) if name.text == ANY_ARGUMENTS)
+        {
+            self.model.pous[pou].takes_more = true;
+            return;
+        }
         let hint = group.names.first().map_or("", |name| name.text);
         let first = self.model.variables.len();
         let limits = self.limits_of(pou, block, group);

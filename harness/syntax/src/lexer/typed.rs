@@ -5,7 +5,7 @@ use super::number::NumberForm;
 use super::quoted::QuotedText;
 use super::scan::Lexer;
 use crate::token::TokenKind;
-use stickler_types::literal::{date, date_and_time, duration, time_of_day};
+use stickler_types::literal::{date, date_and_time, duration, time_of_day, with_seconds};
 use stickler_types::{ElementaryType, Family, LiteralError};
 
 /// A reader of `stickler_types`.
@@ -95,7 +95,14 @@ impl Lexer<'_, '_> {
     fn temporal(&mut self, start: usize, kind: TokenKind, read: TemporalReader) {
         let body = self.at;
         self.skip_temporal(kind);
-        match read(self.span_from(body).text(self.text)) {
+        let text = self.span_from(body).text(self.text);
+        let text = match kind {
+            TokenKind::TimeOfDay | TokenKind::DateAndTime if self.dialect.short_times_of_day => {
+                with_seconds(text)
+            }
+            _ => text.into(),
+        };
+        match read(&text) {
             Err(LiteralError::Malformed { expected, .. }) => {
                 self.push_malformed(start, || {
                     format!("{} is malformed: expected {expected}", kind.text())

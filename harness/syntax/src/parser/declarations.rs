@@ -64,6 +64,9 @@ impl<'s> Parser<'s, '_> {
                 if let Some(kind) = self.at_object() {
                     return self.pou(kind);
                 }
+                if self.unsupported_actions() {
+                    return None;
+                }
                 self.expected(
                     "a declaration (PROGRAM, FUNCTION, FUNCTION_BLOCK, TYPE, VAR_GLOBAL or CONFIGURATION)",
                 );
@@ -151,6 +154,7 @@ impl<'s> Parser<'s, '_> {
             return (None, Default::default(), None);
         };
         self.using_in_head(using);
+        self.unsupported_generics();
         let bases = [
             self.names_behind("EXTENDS", "extends"),
             self.names_behind("IMPLEMENTS", "implements"),

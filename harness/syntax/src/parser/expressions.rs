@@ -76,7 +76,10 @@ impl<'s> Parser<'s, '_> {
     fn infix_operator(&mut self) -> Option<(BinaryOperator, u8)> {
         use BinaryOperator as Operator;
         let (operator, precedence) = match self.kind() {
-            TokenKind::Ampersand | TokenKind::Power if !self.dialect.ampersand_and_power => return None,
+            TokenKind::Ampersand | TokenKind::Power if !self.dialect.ampersand_and_power => {
+                self.expected("an operator that the dialect has");
+                return None;
+            }
             TokenKind::Or => (Operator::Or, 1),
             TokenKind::Xor => (Operator::Xor, 2),
             TokenKind::And | TokenKind::Ampersand => (Operator::And, 3),
@@ -123,6 +126,8 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Enumerated => Ok(self.enumerated_value()),
             TokenKind::Direct => self.path(),
             kind if kind.is_literal() => Ok(self.literal()),
+            TokenKind::LeftBracket => Err(self
+                .expected("an expression (`[…]` gives the elements of an array their initial values only)")),
             _ => Err(self.missing("an expression")),
         }
     }

@@ -3,7 +3,9 @@
 use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
-use crate::tree::{ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind};
+use crate::tree::{
+    ANY_ARGUMENTS, ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind,
+};
 use stickler_types::Code;
 
 impl<'s> Parser<'s, '_> {
@@ -15,6 +17,7 @@ impl<'s> Parser<'s, '_> {
                 parser.union_type()
             }
             TokenKind::Name => parser.named_type(),
+            TokenKind::DotDot if parser.dialect.external_functions => Ok(parser.any_arguments()),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
             TokenKind::LeftParen => parser.enumeration_type(None),
@@ -52,6 +55,15 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
+    /// `...`, the type of an input that stands for any number of arguments.
+    fn any_arguments(&mut self) -> Kind<'s> {
+        let span = self.bump().span.to(self.bump().span);
+        Kind::Named(Name {
+            text: ANY_ARGUMENTS,
+            span,
+        })
+    }
+
     /// `STRING[n]`; `closer` closes what stands behind the name.
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
         let length = self.bracketed(closer, Self::expression)?;
@@ -78,7 +90,7 @@ impl<'s> Parser<'s, '_> {
         Ok((low, self.expression()?))
     }
 
-    /// `(RED, GREEN := 5)`.
+    /// `(RED, GREEN := 5)`, perhaps with a base type behind it.
     fn enumeration_type(&mut self, base: Option<Name<'s>>) -> ParseResult<Kind<'s>> {
         let start = self.token().span;
         let value = |parser: &mut Self| {
@@ -87,7 +99,14 @@ impl<'s> Parser<'s, '_> {
         };
         let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         self.has("enumeration", start.to(self.previous_span()), "(NAME, …)");
+        let base = base.or_else(|| self.base_behind_values());
         Ok(Kind::Enumeration { base, values })
+    }
+
+    /// `INT` of `(RED, GREEN) INT`, an extension of CODESYS and others.
+    fn base_behind_values(&mut self) -> Option<Name<'s>> {
+        let is_there = self.dialect.bases_behind_values && self.kind() == TokenKind::Name;
+        is_there.then(|| self.name("a type").ok()).flatten()
     }
 
     /// `ARRAY[low..high, …] OF element` or `ARRAY[*, …] OF element`.

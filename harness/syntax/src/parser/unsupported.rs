@@ -65,6 +65,31 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
+    /// `<T: ANY>` behind the name of a function.
+    pub(super) fn unsupported_generics(&mut self) {
+        if self.kind() == TokenKind::Less {
+            let start = self.bump().span;
+            while matches!(self.kind(), TokenKind::Name | TokenKind::Colon | TokenKind::Comma) {
+                self.bump();
+            }
+            self.eat(TokenKind::Greater);
+            self.unsupported(
+                start.to(self.previous_span()),
+                "types as parameters of functions (`<T: ANY>`)",
+            );
+        }
+    }
+
+    /// ACTION or ACTIONS outside of a POU, up to the next declaration.
+    pub(super) fn unsupported_actions(&mut self) -> bool {
+        let words = ["ACTION", "ACTIONS"];
+        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&words, "actions (ACTION)");
+        if found {
+            self.skip_to_declaration();
+        }
+        found
+    }
+
     /// OVERLAP behind STRUCT.
     pub(super) fn unsupported_overlap(&mut self) -> bool {
         !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma)

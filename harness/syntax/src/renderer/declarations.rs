@@ -210,7 +210,9 @@ impl<'u, 's> Writer<'u, 's> {
                 self.specification(target);
             }
             TypeSpecificationKind::Enumeration { base, values } => {
-                if let Some(base) = base {
+                let starts = base.as_ref().zip(values.first());
+                let is_behind = starts.is_some_and(|(base, (first, _))| base.span.start > first.span.start);
+                if let Some(base) = base.as_ref().filter(|_| !is_behind) {
                     self.type_name(base);
                     self.put(" ");
                 }
@@ -223,6 +225,10 @@ impl<'u, 's> Writer<'u, 's> {
                     }
                 });
                 self.put(")");
+                if let Some(base) = base.as_ref().filter(|_| is_behind) {
+                    self.put(" ");
+                    self.type_name(base);
+                }
             }
             TypeSpecificationKind::Structure(fields) | TypeSpecificationKind::Union(fields) => {
                 let is_union = matches!(specification.kind, TypeSpecificationKind::Union(_));

@@ -229,6 +229,9 @@ pub struct TypeDeclaration<'s> {
     pub initializer: Option<Initializer<'s>>,
 }
 
+/// The name of the type of an input that stands for any number of arguments.
+pub const ANY_ARGUMENTS: &str = "...";
+
 /// A type as written in a declaration.
 #[derive(Debug)]
 pub struct TypeSpecification<'s> {
@@ -278,9 +281,9 @@ pub enum TypeSpecificationKind<'s> {
         /// The type of what it leads to.
         target: Box<TypeSpecification<'s>>,
     },
-    /// `(RED, GREEN := 5, BLUE)`, with a base type in front where one is written.
+    /// `(RED, GREEN := 5, BLUE)`, with a base type in front or behind where one is written.
     Enumeration {
-        /// `INT` of `INT (RED, GREEN)`.
+        /// `INT` of `INT (RED, GREEN)` or `(RED, GREEN) INT`.
         base: Option<Name<'s>>,
         /// The values' names and what they are given.
         values: Vec<(Name<'s>, Option<ExpressionId>)>,

@@ -2,6 +2,7 @@
 
 use super::LiteralError;
 use super::duration::{digits_at, fraction_of, write_fraction};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Nanoseconds in a second.
@@ -70,6 +71,15 @@ pub fn days(year: i64, month: i64, day: i64) -> Option<i64> {
 pub fn instant(day: i64, time: i64) -> Result<i64, LiteralError> {
     i64::try_from(i128::from(day) * i128::from(DAY) + i128::from(time))
         .map_err(|_| LiteralError::overflow(0, "a date"))
+}
+
+/// Adds the second 0 to a time of day that ends with its minute, for dialects where it may.
+#[must_use]
+pub fn with_seconds(text: &str) -> Cow<'_, str> {
+    match text.matches(':').count() {
+        1 => Cow::Owned(format!("{text}:00")),
+        _ => Cow::Borrowed(text),
+    }
 }
 
 /// A text that is parsed field by field.
