@@ -19,6 +19,9 @@ use stickler_types::{ElementaryType, joined};
 /// The most names of the text that are compared with an unknown one.
 const MAX_CANDIDATES: usize = 2000;
 
+/// The most similar names that are looked at, each with its namespaces.
+const MAX_NEAR: usize = 8;
+
 /// The most letters of a name for which similar ones are looked for.
 const MAX_NAME_LEN: usize = 40;
 
@@ -143,35 +146,41 @@ pub(super) fn similar_declared(
     is_function: bool,
     guesses: &mut u32,
 ) -> String {
-    let (mut path, mut declared) = (Vec::new(), Vec::new());
+    let last = name.text.rsplit('.').next().unwrap_or_default();
+    if *guesses == 0 || !(3..=MAX_NAME_LEN).contains(&last.len()) {
+        return String::new();
+    }
+    *guesses -= 1;
+    let (wanted, allowed) = (Candidate::new(last), allowed_changes(last));
+    let (mut path, mut near) = (Vec::new(), Vec::new());
+    let mut compare = |path: &[&str], text: &str| {
+        let is_near = Candidate::new(text).may_be_similar(wanted, allowed) && distance(last, text) <= allowed;
+        if is_near && near.len() < MAX_NEAR {
+            let is_known = path.is_empty() || model.definition(Name { text, ..name }).is_some();
+            let meant = if is_known {
+                text.to_owned()
+            } else {
+                format!("{}.{text}", path.join("."))
+            };
+            near.push((distance(last, text), meant));
+        }
+    };
     for declaration in &model.source.unit.declarations {
         match declaration {
             Declaration::Namespace(name) => path.push(name.text),
             Declaration::EndNamespace(_) => _ = path.pop(),
             Declaration::Pou(pou) if pou.kind == PouKind::Program => {}
             Declaration::Pou(pou) if (pou.kind == PouKind::Function) == is_function => {
-                declared.push((path.join("."), pou.name.text));
+                compare(&path, pou.name.text);
             }
             Declaration::Types(types) if !is_function => {
-                declared.extend(types.iter().map(|ty| (path.join("."), ty.name.text)));
+                types.iter().for_each(|ty| compare(&path, ty.name.text));
             }
             _ => {}
         }
     }
-    let last = name.text.rsplit('.').next().unwrap_or_default();
-    if *guesses == 0 || !(3..=MAX_NAME_LEN).contains(&last.len()) {
-        return String::new();
-    }
-    *guesses -= 1;
-    let spelled = |path: &str, text: &str| match model.definition(Name { text, ..name }) {
-        None if !path.is_empty() => format!("{path}.{text}"),
-        _ => text.to_owned(),
-    };
-    let near = declared.iter().take(MAX_CANDIDATES).filter_map(|(path, text)| {
-        let changes = distance(last, text);
-        (changes <= allowed_changes(last)).then(|| (changes, spelled(path, text)))
-    });
-    did_you_mean(near.filter(|(_, meant)| meant != name.text).collect())
+    near.retain(|(_, meant)| meant != name.text);
+    did_you_mean(near)
 }
 
 /// Every standard function and type conversion function, the shortest names first.
