@@ -34,15 +34,19 @@ pub fn resolve_qualifiers<'s>(
         };
         let span = qualifier.span.to(name.span);
         let is_joined = qualifier.span.end + 1 == name.span.start;
-        let kind = if known.is_variable(qualifier) || own_instance(qualifier.text).is_some() {
+        let is_enumeration = known
+            .enumerations
+            .contains(&CaseFolded(qualifier.unqualified().text));
+        let mut meant = known.all(name);
+        // A variable may be called as its type is.
+        let is_value =
+            is_enumeration && meant.any(|declared| matches!(declared.kind, DeclaredKind::EnumeratedValue));
+        let kind = if known.is_variable(qualifier) && !is_value || own_instance(qualifier.text).is_some() {
             None
         } else if namespaces.named(qualifier).is_some() {
             let text = span.text(text);
             is_joined.then_some(ExpressionKind::Name(Name { text, span }))
-        } else if known
-            .enumerations
-            .contains(&CaseFolded(qualifier.unqualified().text))
-        {
+        } else if is_enumeration {
             let value = Prefixed::new(span.text(text), span.start);
             (is_joined && dialect.values_behind_points).then_some(ExpressionKind::EnumeratedValue(value))
         } else {
