@@ -64,9 +64,6 @@ impl<'s> Parser<'s, '_> {
                 if let Some(kind) = self.at_object() {
                     return self.pou(kind);
                 }
-                if self.unsupported_actions() {
-                    return None;
-                }
                 self.expected(
                     "a declaration (PROGRAM, FUNCTION, FUNCTION_BLOCK, TYPE, VAR_GLOBAL or CONFIGURATION)",
                 );

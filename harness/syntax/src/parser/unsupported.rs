@@ -80,16 +80,6 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// ACTION or ACTIONS outside of a POU, up to the next declaration.
-    pub(super) fn unsupported_actions(&mut self) -> bool {
-        let words = ["ACTION", "ACTIONS"];
-        let found = self.nth(1) == TokenKind::Name && self.unsupported_word(&words, "actions (ACTION)");
-        if found {
-            self.skip_to_declaration();
-        }
-        found
-    }
-
     /// OVERLAP behind STRUCT.
     pub(super) fn unsupported_overlap(&mut self) -> bool {
         !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma)
