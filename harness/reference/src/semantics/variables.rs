@@ -20,8 +20,20 @@ impl<'u> Declarer<'u, '_> {
         let pou = self.model.pous[index].pou;
         self.resolve_bases(index);
         let is_function = self.model.pous[index].is_function();
-        // Other declarations may name a constant that stands behind them.
-        let is_first = |block: &&VariableBlock<'u>| block.constant && block.kind == VariableKind::Local;
+        // Other declarations may name a constant that stands behind them; it is made of nothing that is declared before it.
+        let text = self.model.source.text;
+        let is_number = |group: &VariableGroup<'u>| {
+            let initial = group
+                .initializer
+                .as_ref()
+                .map_or("", |initial| initial.span.text(text));
+            initial
+                .bytes()
+                .all(|byte| byte.is_ascii_digit() || b"+-_".contains(&byte))
+        };
+        let is_first = |block: &&VariableBlock<'u>| {
+            block.constant && block.kind == VariableKind::Local && block.groups.iter().all(is_number)
+        };
         let (first_blocks, blocks): (Vec<_>, Vec<_>) = pou.blocks.iter().partition(is_first);
         for block in first_blocks.into_iter().chain(blocks) {
             // The variables of VAR_INST have been declared with the owner's.
