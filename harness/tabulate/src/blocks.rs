@@ -14,7 +14,7 @@ mod side_by_side;
 use crate::folder::tables_in;
 use crate::table::Table;
 use model::{Block, Inputs, Rule};
-use side_by_side::side_by_side;
+use side_by_side::{counting_side_by_side, side_by_side};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -69,6 +69,8 @@ struct Wanted {
     part: (usize, usize),
     /// `passed 0 3`: instead of all of these the sequences of [`side_by_side`] with these times.
     passed: Option<Vec<i128>>,
+    /// `side by side`: those of [`counting_side_by_side`].
+    is_side_by_side: bool,
 }
 
 impl Wanted {
@@ -94,6 +96,7 @@ impl Wanted {
             length: 1,
             part: (1, 1),
             passed: None,
+            is_side_by_side: false,
         };
         for phrase in text.split(", ") {
             let unknown = || format!("`{phrase}` is no phrase of `sequences`");
@@ -103,6 +106,7 @@ impl Wanted {
                 ("stops", "at PV and 0") => wanted.rule = Rule::StopsAtPreset,
                 ("no", "edge at first") => wanted.rule = Rule::NoFirstEdge,
                 ("passed", times) => wanted.passed = Some(numbers(times)?),
+                ("side", "by side") => wanted.is_side_by_side = true,
                 ("part", part) => {
                     let (part, parts) = part.split_once('/').ok_or_else(unknown)?;
                     let part = part.parse().ok().zip(parts.parse().ok());
@@ -132,6 +136,9 @@ fn scans(cells: &HashMap<&str, &str>) -> Result<String, String> {
             passed,
             presets.first().copied().unwrap_or_default(),
         ));
+    }
+    if wanted.is_side_by_side {
+        return Ok(counting_side_by_side(block, wanted.rule, presets, range));
     }
     let width = block.inputs().len();
     let choices = if block.is_timer() { PASSED.len() } else { 1 };

@@ -1,11 +1,13 @@
-//! All sequences of six scans of a timer, 64 instances side by side: one for each sequence of its input.
+//! Sequences of scans that are too many for a line each: 64 instances side by side, one for each sequence of the inputs of some scans.
 
 use super::PASSED;
 use super::model::{Block, Inputs, Rule};
 use std::fmt::Write;
 
-/// The number of scans of a sequence.
+/// The number of scans of a sequence of a timer.
 const SCANS: usize = 6;
+/// The number of scans of a sequence of a counter.
+const COUNTED: usize = 5;
 
 /// Returns the table of scans of 64 instances, of which number `n` has TRUE as its input in scan `k` of a sequence where bit `k - 1` of `n` is set.
 /// The sequences follow one another; between them the inputs are FALSE for longer than `preset`. `passed` is what passes before the first scans
@@ -75,4 +77,53 @@ fn outputs(block: Block, times: &[i128], rest: [i128; 2], is_later: bool, preset
     }
     let [output, three, five, known] = bits.map(|bits| format!("16#{bits:016X}"));
     format!("{known} | {output} {three} {five}")
+}
+
+/// Returns the table of scans of 64 counters upward and downward, each of which is reset before every sequence. The first scan of a sequence has all inputs in
+/// turn, which the counters share, and the second all of the counted ones; in scan `k` of the last three bits `2 * k - 6` and `2 * k - 5` of
+/// the number of a counter are its CU and CD. A reset or a load in a later scan would only begin a shorter sequence.
+///
+/// The bits of `full` and `empty` are the outputs of the counters, those of `odd` and `half` tell whether the number and a half of it are odd.
+pub(super) fn counting_side_by_side(
+    block: Block,
+    rule: Rule,
+    presets: &[i128],
+    range: (i128, i128),
+) -> String {
+    let mut text = String::from("step up down reset load preset | full empty odd half\n");
+    let mut presets = presets.iter().cycle();
+    for number in 0..64 {
+        let bit = |at: usize| number >> at & 1 == 1;
+        let rest = vec![false, false, true, false];
+        let first = vec![bit(0), bit(1), bit(2), bit(3)];
+        let second = vec![bit(4), bit(5), false, false];
+        let mut shared = vec![rest, first, second];
+        shared.resize(COUNTED + 1, vec![false; 4]);
+        let mut pasts: Vec<Vec<Inputs>> = vec![Vec::new(); 64];
+        for (scan, inputs) in shared.iter().enumerate() {
+            let preset = presets.next().copied().unwrap_or_default();
+            let mut bits = [0_u64; 4];
+            for (instance, past) in pasts.iter_mut().enumerate() {
+                let own = |input| scan > 2 && instance >> (2 * scan - 6 + input) & 1 == 1;
+                let mut now = inputs.clone();
+                now[0] |= own(0);
+                now[1] |= own(1);
+                past.push(Inputs {
+                    at: 0,
+                    bits: now,
+                    preset,
+                });
+                let told = block.outputs_after(past, rule, range);
+                let count: i128 = told[2].parse().unwrap_or_default();
+                let seen = [told[0] == "1", told[1] == "1", count % 2 != 0, count / 2 % 2 != 0];
+                for (bits, is_set) in bits.iter_mut().zip(seen) {
+                    *bits |= u64::from(is_set) << instance;
+                }
+            }
+            let inputs: Vec<String> = inputs.iter().map(|bit| u8::from(*bit).to_string()).collect();
+            let bits = bits.map(|bits| format!("16#{bits:016X}")).join(" ");
+            let _ = writeln!(text, "{scan} {} {preset} | {bits}", inputs.join(" "));
+        }
+    }
+    text
 }
