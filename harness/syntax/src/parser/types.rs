@@ -17,7 +17,9 @@ impl<'s> Parser<'s, '_> {
                 parser.union_type()
             }
             TokenKind::Name => parser.named_type(),
-            TokenKind::DotDot if parser.dialect.external_functions => Ok(parser.any_arguments()),
+            TokenKind::DotDot if parser.dialect.external_functions && parser.nth(1) == TokenKind::Dot => {
+                Ok(parser.any_arguments())
+            }
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
             TokenKind::LeftParen => parser.enumeration_type(None),

@@ -90,7 +90,7 @@ pub(super) fn counting_side_by_side(
     presets: &[i128],
     range: (i128, i128),
 ) -> String {
-    let mut text = String::from("step up down reset load preset | full empty odd half\n");
+    let mut text = String::from("phase up down reset load preset | full empty odd half\n");
     let mut presets = presets.iter().cycle();
     for number in 0..64 {
         let bit = |at: usize| number >> at & 1 == 1;

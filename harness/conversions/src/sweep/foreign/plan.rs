@@ -6,7 +6,7 @@ use crate::sweep::agenda::Sweep;
 use crate::sweep::domain::Domain;
 use std::ops::Range;
 use stickler_exact::Bulk;
-use stickler_types::ElementaryType;
+use stickler_types::{Dialect, DialectName, ElementaryType};
 
 /// The parts of a program that counts.
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +61,11 @@ impl SweepPlan {
         let Domain::Every(operand) = sweep.domain else {
             return None;
         };
+        // Results are added up in a LINT.
+        let has_sum = |dialect: &DialectName| Dialect::of(*dialect).may_name(ElementaryType::Lint);
+        if !sweep.dialects.iter().all(has_sum) {
+            return None;
+        }
         Some(Counting {
             counter: Counter::new(operand)?,
             checksum: Checksum::new(sweep.signature.result)?,
