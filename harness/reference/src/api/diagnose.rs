@@ -1,7 +1,7 @@
 //! Checking and rendering: all that can be said about a source text without running it.
 
 use super::located::locate;
-use crate::library::with_blocks;
+use crate::library::{has_block, with_blocks};
 use crate::semantics::{self, CheckedProgram};
 use stickler_syntax::decoding::decode;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, has_errors};
@@ -22,10 +22,18 @@ pub(super) struct Checked {
 impl Checked {
     /// Checks a source text, with those standard function blocks that it uses and does not declare.
     pub fn new(source: &str, dialect: &Dialect) -> Checked {
-        let alone = Checked::alone(source, dialect);
+        let mut alone = Checked::alone(source, dialect);
         let Some(text) = with_blocks(source, &alone.diagnostics, dialect) else {
             return alone;
         };
+        // Behind a comment that is not closed nothing is declared.
+        let is_open = |one: &SpannedDiagnostic| one.code == Code::OpenComment;
+        if alone.diagnostics.iter().any(is_open) {
+            alone
+                .diagnostics
+                .retain(|one| is_open(one) || !has_block(one.span.text(source)));
+            return alone;
+        }
         let whole = Checked::alone(&text, dialect);
         // A dialect may lack the types of a block, and a text may not be closed.
         let end = source.len() as u32;
