@@ -1,5 +1,6 @@
 //! The catalogue of conversion functions: the names that exist, the dialects that have them, and suggestions for misspelt ones.
 
+use stickler_exact::{Signature, elementary_signatures, signatures};
 use stickler_types::DialectName;
 
 /// The maximum number of names that are suggested for an unknown one.
@@ -58,17 +59,32 @@ fn did_you_mean(similar: &[String]) -> String {
     }
 }
 
-/// Looks a function up in the requested dialects, or in all dialects where none is requested.
+/// Returns the signatures of a function that can be swept: of a conversion function or, of a name that is none, of a standard function of one
+/// operand.
+#[must_use]
+pub fn swept_signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
+    let own = signatures(function, dialect);
+    match own.is_empty() {
+        true => elementary_signatures(function, dialect),
+        false => own,
+    }
+}
+
+/// Looks a function up in the requested dialects, or in all dialects where none is requested; `signatures` tells which a dialect has.
 ///
 /// # Errors
 /// [`NoSuchFunction`] where none of these dialects has the function.
-pub fn find_function(function: &str, asked: &[DialectName]) -> Result<FunctionDialects, NoSuchFunction> {
+pub fn find_function(
+    function: &str,
+    asked: &[DialectName],
+    signatures: fn(&str, DialectName) -> Vec<Signature>,
+) -> Result<FunctionDialects, NoSuchFunction> {
     let asked = if asked.is_empty() {
         &DialectName::ALL[..]
     } else {
         asked
     };
-    let has = |dialect: &DialectName| !stickler_exact::signatures(function, *dialect).is_empty();
+    let has = |dialect: &DialectName| !signatures(function, *dialect).is_empty();
     let once = (0..asked.len()).filter(|&index| !asked[..index].contains(&asked[index]));
     let (having, lacking): (Vec<_>, Vec<_>) = once.map(|index| asked[index]).partition(has);
     if !having.is_empty() {

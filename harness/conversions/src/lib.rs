@@ -22,6 +22,7 @@ mod tests;
 
 pub use functions::{
     FunctionDialects, NoSuchFunction, all_functions, dialect_list, find_function, short_names,
+    swept_signatures,
 };
 pub use program::ConversionProgram;
 pub use session::{FunctionSession, Refusal, RefusalKind};

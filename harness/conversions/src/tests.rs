@@ -58,7 +58,12 @@ fn golden_functions() {
             anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
         }
         "boundary values" => joined(boundary_calls(&signature(example)).iter().map(|call| &call[0])),
-        _ => find_function(example.text("function"), &dialects(example.text("dialects"))).map_or_else(
+        _ => find_function(
+            example.text("function"),
+            &dialects(example.text("dialects")),
+            signatures,
+        )
+        .map_or_else(
             |error| error.to_string(),
             |found| {
                 format!(

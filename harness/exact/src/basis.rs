@@ -10,6 +10,7 @@ mod stated;
 mod texts;
 mod vendors;
 
+use crate::elementary::elementary_basis;
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use rows::ROWS;
@@ -35,6 +36,12 @@ pub struct Expected {
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
     let choices = dialect.rules().conversions;
+    if signature.operation == Operation::Elementary {
+        return Expected {
+            value: value(signature, operands, &choices),
+            basis: Some(elementary_basis(&signature.function)),
+        };
+    }
     let call = UnaryCall::of(signature, operands, dialect);
     let basis = call.and_then(|(call, operand)| match dialect.definition() {
         None => call.basis(operand),

@@ -83,7 +83,7 @@ impl Bulk {
         let rule = match signature.operation {
             Operation::FromBcd => BulkRule::Digits,
             Operation::ToBcd => BulkRule::Decimal,
-            Operation::Concatenate => return None,
+            Operation::Concatenate | Operation::Elementary => return None,
             operation if from.is_real() => of_real(to, operation, choices)?,
             _ => of_number(from, to, choices),
         };

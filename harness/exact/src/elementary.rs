@@ -4,13 +4,13 @@
 //!
 //! Basis: iec-61131-3: Tables 28 and 29 (the functions); IEC 60559: roundTiesToEven.
 
-use crate::real::{self, Real};
-use crate::{integer, quotient};
+use crate::real::{self, Finite, Real};
+use crate::{Operation, Signature, integer, quotient};
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::sync::LazyLock;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The binary places of a number: those of the least LREAL, and as many as an angle of the greatest one loses.
 const PRECISION: u32 = 2600;
@@ -49,6 +49,79 @@ pub fn nearest_result(function: &str, operands: &[Value], result: ElementaryType
         // The interval is around zero, and holds no other number.
         [low, 0] if low == negative_zero => Some(Value::plain(result, 0)),
         _ => None,
+    }
+}
+
+/// The functions of one real number, of which SQRT is exact.
+const OF_REALS: [&str; 10] = [
+    "SQRT", "LN", "LOG", "EXP", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN",
+];
+
+/// Returns the signatures of a standard function of one operand in a dialect, by its name in upper case: of ABS, NOT and the functions of one real
+/// number. Each gives the type of its operand. They are no conversions, so that [`crate::signatures`] does not have them.
+#[must_use]
+pub fn elementary_signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
+    let takes = |ty: &ElementaryType| match function {
+        "ABS" => ty.is_number(),
+        "NOT" => ty.is_bit_string(),
+        name => ty.is_real() && OF_REALS.contains(&name),
+    };
+    let has = |word: &str| !dialect.rules().lacks(&word.to_ascii_lowercase());
+    let types = ElementaryType::ALL.into_iter().filter(takes);
+    let types = types.filter(|ty| has(function) && has(ty.name()));
+    let signature = |ty: ElementaryType| Signature {
+        function: function.to_owned(),
+        operands: vec![ty],
+        result: ty,
+        operation: Operation::Elementary,
+    };
+    types.map(signature).collect()
+}
+
+/// Returns the result of a function of [`elementary_signatures`], of a function of real numbers the nearest one; `None` where
+/// [`nearest_result`] has none, and for the ABS of what is no number.
+#[must_use]
+pub fn elementary_result(signature: &Signature, operand: &Value) -> Option<Value> {
+    let &Value::Plain { ty, raw } = operand else {
+        return None;
+    };
+    let result = match &*signature.function {
+        "NOT" => ty.wrap(!i128::from(raw)),
+        "ABS" if ty.is_integer() => integer::wrapped(integer::number(raw, ty).abs(), ty),
+        "ABS" => match real::decode(raw, ty) {
+            Real::NotANumber => return None,
+            _ => raw & !ty.real_bits(-0.0),
+        },
+        "SQRT" if ty == ElementaryType::Real => match real::decode(raw, ty) {
+            Real::Finite(finite) if !finite.negative && finite.significand != 0 => single_root(finite),
+            Real::Finite(zero) if zero.significand == 0 => raw,
+            _ => return None,
+        },
+        name => return nearest_result(name, std::slice::from_ref(operand), signature.result),
+    };
+    Some(Value::plain(ty, result))
+}
+
+/// Returns the raw form of the REAL that is nearest to the square root of a positive REAL, for a sweep of all of them.
+fn single_root(of: Finite) -> u64 {
+    // With 49 or 50 bits and an even exponent, so that the root has 25 bits.
+    let widest = of.significand.leading_zeros().cast_signed() - 14;
+    let shift = widest - (of.exponent - widest).rem_euclid(2);
+    let square = of.significand << shift;
+    let root = square.isqrt();
+    let (kept, is_half, is_more) = (root >> 1, root & 1, u64::from(root * root != square));
+    let rounded = kept + (is_half & (is_more | kept & 1));
+    // The leading bit, which is not written, adds one to the exponent.
+    let biased = (of.exponent - shift) / 2 + 150;
+    (u64::from(biased.cast_unsigned()) << 23) + rounded
+}
+
+/// Returns the section of the standard that has a function of [`elementary_signatures`].
+pub(crate) fn elementary_basis(function: &str) -> &'static str {
+    match function {
+        "ABS" | "SQRT" => "iec-61131-3: Table 28",
+        "NOT" => "iec-61131-3: Table 30",
+        _ => "rule: reals-within-units",
     }
 }
 

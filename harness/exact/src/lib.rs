@@ -56,7 +56,7 @@ mod value;
 pub use basis::{Expected, expected, is_overridden, page_has_truncation, stated_by_vendor};
 pub use bulk::Bulk;
 pub use catalogue::{functions, signature_of, signatures};
-pub use elementary::nearest_result;
+pub use elementary::{elementary_result, elementary_signatures, nearest_result};
 pub use implicit::{ImplicitResult, implicit, implicit_result};
 pub use signature::{Operation, Signature};
 pub use text::nearest_decimal;

@@ -45,6 +45,8 @@ pub enum Operation {
     ToBcd,
     /// A date and a time of day as one moment: `CONCAT_DATE_TOD` and its kin.
     Concatenate,
+    /// A standard function of one operand: ABS, NOT, SQRT and the other functions of real numbers.
+    Elementary,
 }
 
 impl Operation {
@@ -53,7 +55,11 @@ impl Operation {
     #[must_use]
     pub(crate) const fn choices(self, choices: &ConversionChoices) -> ConversionChoices {
         match self {
-            Operation::Convert | Operation::FromBcd | Operation::ToBcd | Operation::Concatenate => *choices,
+            Operation::Convert
+            | Operation::FromBcd
+            | Operation::ToBcd
+            | Operation::Concatenate
+            | Operation::Elementary => *choices,
             Operation::Round => choices.with_rounding(Rounding::HalfToEven),
             Operation::Ceiling => choices.with_rounding(Rounding::Up),
             Operation::Floor => choices.with_rounding(Rounding::Down),

@@ -1,5 +1,6 @@
 //! Computes the result of a call by given choices: one rule for each pair of families of types.
 
+use crate::elementary::elementary_result;
 use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature, has_meaning};
 use crate::{bcd, character, integer, moment, text};
@@ -51,6 +52,7 @@ fn plain(
         Operation::FromBcd => integer::wrapped(bcd::number(raw, from), to),
         Operation::ToBcd => bcd::encoded(raw, from, to),
         Operation::Concatenate => return None,
+        Operation::Elementary => return elementary_result(signature, &Value::plain(from, raw)),
         Operation::Truncate | Operation::Round | Operation::Ceiling | Operation::Floor if to.is_real() => {
             real::whole(raw, from, to, signature.operation.choices(choices).rounding)
         }

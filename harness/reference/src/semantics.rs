@@ -74,4 +74,5 @@ mod variables;
 pub use calls::is_standard_function;
 pub use check::{check, check_traced};
 pub use observation::{CheckedProgram, ObservedType, ObservedVariable};
+pub(crate) use standard_signatures::unary_function;
 pub use trace::{TracedUse, UseKind};

@@ -33,7 +33,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     };
     let function = function.to_ascii_uppercase();
     let known = known(arguments, &function)?;
-    let found = find_function(&function, &arguments.dialect);
+    let found = find_function(&function, &arguments.dialect, stickler_exact::signatures);
     let is_printed = !known.printed.is_empty() && !arguments.json;
     if matches!(found, Err(NoSuchFunction::Anywhere { .. })) && is_printed {
         let page = OverviewPage {

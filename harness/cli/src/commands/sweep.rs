@@ -1,4 +1,4 @@
-//! `stickler sweep`: compares the results of a conversion function for every input with exact arithmetic.
+//! `stickler sweep`: compares the results of a conversion function, or of a standard function of one operand, for every input with exact arithmetic.
 
 mod names;
 mod page;
@@ -11,9 +11,9 @@ use crate::{engines, interrupt};
 use page::SweepPage;
 use std::io::Write;
 use std::time::Instant;
-use stickler_conversions::find_function;
 use stickler_conversions::sweep::foreign::{self, ForeignError};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, SweepProgress, agenda, run};
+use stickler_conversions::{find_function, swept_signatures};
 use stickler_engines::Engine;
 use stickler_types::boundaries::BoundaryDetail;
 use stickler_workers::Cancellation;
@@ -26,8 +26,8 @@ use stickler_workers::Cancellation;
 /// engine does not execute are shown on the page; the exit code is [`Exit::EngineNotRun`] if there are no others.
 pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let function = arguments.function.to_ascii_uppercase();
-    let present =
-        find_function(&function, &arguments.dialect).inspect_err(|_| names::list_unless_known(&function))?;
+    let present = find_function(&function, &arguments.dialect, swept_signatures)
+        .inspect_err(|_| names::list_unless_known(&function))?;
     let engine = engines::by_name(&arguments.engine)?;
     let other = (arguments.engine != engines::REFERENCE).then_some(&*engine);
     let (dialects, detail, method) = match other {

@@ -1,11 +1,12 @@
 //! Turns the name of a function into the sweeps that it needs: one for each pair of types and each distinct rule.
 
-use crate::functions::{NoSuchFunction, find_function};
+use crate::functions::{NoSuchFunction, find_function, swept_signatures};
 use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::ReferenceFunction;
-use stickler_exact::{Operation, Signature, signatures};
-use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family, MomentUnits};
+use stickler_exact::{Operation, Signature, elementary_result, value};
+use stickler_types::boundaries::BoundaryDetail;
+use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family, MomentUnits, Value};
 
 /// A sweep of one function between fixed types, by one rule.
 #[derive(Clone, PartialEq, Debug)]
@@ -20,6 +21,27 @@ pub struct Sweep {
     pub domain: Domain,
     /// The reference's own conversion.
     pub reference: ReferenceFunction,
+}
+
+/// The units in the last place by which a function of real numbers may be off, if it is not SQRT.
+///
+/// Basis: rule: reals-within-units.
+const UNITS: u32 = 2;
+
+impl Sweep {
+    /// Returns what must come of operands; `None` where exact arithmetic has no result, as of NaN.
+    pub(crate) fn exact(&self, operands: &[Value]) -> Option<Value> {
+        match (self.signature.operation, operands) {
+            (Operation::Elementary, [operand]) => match elementary_result(&self.signature, operand)? {
+                Value::Plain { ty, raw } if !matches!(&*self.signature.function, "ABS" | "NOT" | "SQRT") => {
+                    let units = UNITS;
+                    Some(Value::Near { ty, raw, units })
+                }
+                exact => Some(exact),
+            },
+            _ => Some(value(&self.signature, operands, &self.choices)),
+        }
+    }
 }
 
 /// The reason why a function cannot be swept.
@@ -49,19 +71,26 @@ pub enum SweepMethod {
 }
 
 impl SweepMethod {
-    /// The default size of a sample for [`SweepMethod::Programs`], small since programs take their time.
+    /// The default size of a sample for [`SweepMethod::Programs`], and for a function whose exact result takes its time, small since programs take theirs.
     const SAMPLED_BY_PROGRAMS: u64 = 10_000;
 
     fn domain(self, signature: &Signature, sampling: Sampling) -> Domain {
         let domain = Domain::of(&signature.operands, sampling);
         let folded = |from| domain.len() <= 1 << 16 || has_digest(from, signature.result);
+        // The nearest result of the others takes a millisecond.
+        let is_quick = matches!(
+            (&*signature.function, signature.result),
+            ("ABS" | "NOT", _) | ("SQRT", ElementaryType::Real)
+        );
+        let is_slow = signature.operation == Operation::Elementary && !is_quick;
         match signature.operands[..] {
-            _ if self == SweepMethod::Conversion => domain,
-            [from] if domain.is_exhaustive() && folded(from) => domain,
+            _ if self == SweepMethod::Conversion && !is_slow => domain,
+            [from] if domain.is_exhaustive() && folded(from) && !is_slow => domain,
             _ => {
                 let inputs = sampling.inputs.unwrap_or(SweepMethod::SAMPLED_BY_PROGRAMS);
                 let sampled = Sampling {
                     inputs: Some(inputs),
+                    detail: BoundaryDetail::Coarse,
                     ..sampling
                 };
                 Domain::of(&signature.operands, sampled)
@@ -82,9 +111,9 @@ pub fn agenda(
     method: SweepMethod,
 ) -> Result<Vec<Sweep>, AgendaError> {
     let mut sweeps: Vec<Sweep> = Vec::new();
-    for dialect in find_function(function, dialects)?.having {
+    for dialect in find_function(function, dialects, swept_signatures)?.having {
         let choices = dialect.rules().conversions;
-        for signature in signatures(function, dialect) {
+        for signature in swept_signatures(function, dialect) {
             let Some(reference) = ReferenceFunction::find(&signature, dialect) else {
                 return Err(AgendaError::NotInReference {
                     function: function.to_owned(),
@@ -118,7 +147,7 @@ pub fn agenda(
 fn in_order(function: &str, dialects: &[DialectName]) -> Vec<Signature> {
     let mut all: Vec<Signature> = dialects
         .iter()
-        .flat_map(|dialect| signatures(function, *dialect))
+        .flat_map(|dialect| swept_signatures(function, *dialect))
         .collect();
     all.sort_by(|one, other| (&one.operands, one.result).cmp(&(&other.operands, other.result)));
     all

@@ -1,8 +1,9 @@
 //! The reference's own conversion, by the same functions that its machine calls.
 
 use crate::sweep::converter::Converter;
-use stickler_exact::Signature;
+use stickler_exact::{Operation, Signature};
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
+use stickler_reference::execution::UnaryFunction;
 use stickler_types::Dialect;
 use stickler_types::{DialectName, ElementaryType, Value};
 
@@ -17,6 +18,7 @@ pub struct ReferenceFunction {
 enum ReferenceFunctionKind {
     One(Conversion),
     Two(Concatenation),
+    Standard(UnaryFunction),
 }
 
 impl ReferenceFunction {
@@ -26,6 +28,9 @@ impl ReferenceFunction {
         let dialect = Dialect::of(dialect);
         let (name, result) = (&signature.function[..], signature.result);
         let kind = match signature.operands[..] {
+            [operand] if signature.operation == Operation::Elementary => {
+                ReferenceFunctionKind::Standard(UnaryFunction::find(name, operand)?)
+            }
             [operand] => {
                 let found = function(name, dialect)?;
                 let takes = found.accepts(operand) && found.results(operand).any(|ty| ty == result);
@@ -44,10 +49,14 @@ impl ReferenceFunction {
 
 impl Converter for ReferenceFunction {
     fn convert_all(&self, operands: &[u64], results: &mut [u64]) {
-        let ReferenceFunctionKind::One(conversion) = self.kind else {
-            return results.fill(0);
-        };
-        conversion.apply_to_slice(operands, results);
+        match self.kind {
+            ReferenceFunctionKind::One(conversion) => conversion.apply_to_slice(operands, results),
+            ReferenceFunctionKind::Two(_) => results.fill(0),
+            ReferenceFunctionKind::Standard(function) => {
+                let operands = operands.iter().zip(results);
+                operands.for_each(|(operand, result)| *result = function.apply(*operand));
+            }
+        }
     }
 
     fn convert(&self, operands: &[Value]) -> Value {
@@ -70,6 +79,9 @@ impl Converter for ReferenceFunction {
                 ReferenceFunctionKind::Two(join),
                 [Value::Plain { raw: first, .. }, Value::Plain { raw: second, .. }],
             ) => plain(join.apply_two(*first, *second)),
+            (ReferenceFunctionKind::Standard(function), [Value::Plain { raw, .. }]) => {
+                plain(function.apply(*raw))
+            }
             // No domain has other operands.
             _ => plain(0),
         }

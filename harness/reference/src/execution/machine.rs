@@ -5,7 +5,7 @@
 
 use super::counting::LoopCounter;
 use super::memory::MachineMemory;
-use super::standard::Text;
+use super::standard::{Text, complement};
 use super::stop::{Halt, Inconsistency, RaisedFault, Stop};
 use super::{arithmetic, comparison, duration, power};
 use crate::instruction::{
@@ -258,7 +258,7 @@ impl<'p> Machine<'p> {
                 }
                 Instruction::Not(ty) => {
                     let value = self.pop()?;
-                    self.operands.push(narrow(!value, ty));
+                    self.operands.push(complement(value, ty));
                 }
                 Instruction::Negate(ty) => {
                     let value = self.pop()?;

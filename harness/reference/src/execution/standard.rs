@@ -9,12 +9,47 @@ use super::stop::Halt;
 use crate::conversion::real;
 use crate::instruction::{FaultKind, RealFunction, StandardFunction, TextPart};
 use crate::raw::narrow;
+use crate::semantics::unary_function;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::ops::Range;
 use stickler_types::ElementaryType;
 use stickler_types::dialect::TextPositions;
 use stickler_types::literal::date;
+
+/// A standard function of one number or bit string, computed as the machine does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct UnaryFunction {
+    /// The function; `None` for NOT.
+    called: Option<StandardFunction>,
+    of: ElementaryType,
+}
+
+impl UnaryFunction {
+    /// Finds a function by its name, for operands of a type that it takes.
+    #[must_use]
+    pub fn find(name: &str, of: ElementaryType) -> Option<UnaryFunction> {
+        let called = match name {
+            "NOT" => None,
+            name => Some(unary_function(name)?),
+        };
+        Some(UnaryFunction { called, of })
+    }
+
+    /// Returns the raw form of the result; 0 where a program would stop.
+    #[must_use]
+    pub fn apply(self, operand: u64) -> u64 {
+        match self.called {
+            None => complement(operand, self.of),
+            Some(called) => of_plain(called, self.of, &[operand]).unwrap_or_default(),
+        }
+    }
+}
+
+/// The bits of a value, each inverted.
+pub(super) fn complement(value: u64, of: ElementaryType) -> u64 {
+    narrow(!value, of)
+}
 
 /// The result for plain operands, the deepest first.
 pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &[u64]) -> Result<u64, Halt> {

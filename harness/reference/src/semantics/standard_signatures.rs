@@ -203,6 +203,14 @@ pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature
         .find(|function| function.name.eq_ignore_ascii_case(name))
 }
 
+/// Returns what the machine computes for a standard function of one operand; `None` for other functions.
+pub(crate) fn unary_function(name: &str) -> Option<StandardFunction> {
+    match standard_function(name)?.operation {
+        StandardOperation::Function(function, _) => Some(function),
+        _ => None,
+    }
+}
+
 impl StandardSignature {
     /// Returns what the input at a position takes, of which its name tells.
     pub(super) fn input(&self, position: usize) -> StandardInput {
