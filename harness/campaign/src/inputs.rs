@@ -98,7 +98,7 @@ impl Inputs {
             return Some(first);
         }
         let settings = GeneratorSettings {
-            lacking: without.words(first.dialect),
+            lacking: [without.words(first.dialect), untimed()].concat(),
             ..self.settings(place, dialects, open)
         };
         // A row of rows, at a place from which the first takes nothing.
@@ -119,9 +119,14 @@ impl Inputs {
         GeneratorSettings {
             dialect: dialect.copied(),
             open,
-            lacking: Vec::new(),
+            lacking: untimed(),
         }
     }
+}
+
+/// Returns what programs shall do without that several engines are asked about: most of them have no clock but that of the machine.
+fn untimed() -> Vec<String> {
+    vec!["timer-blocks".to_owned()]
 }
 
 #[cfg(test)]

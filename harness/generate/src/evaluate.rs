@@ -30,4 +30,4 @@ mod tests;
 
 use answer::{Evaluated, ill_formed};
 pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};
-pub use evaluator::{MAX_STEPS, evaluate};
+pub use evaluator::{CYCLE, MAX_STEPS, evaluate};

@@ -20,14 +20,48 @@ mod statements;
 mod tests;
 
 use crate::generator::{DialectProfile, TypeContext};
-use crate::model::{Expression, LiteralForm, Program, Type, Variable};
-use stickler_syntax::parse;
+use crate::model::{Expression, LiteralForm, Pou, Program, Type, Variable};
 use stickler_syntax::tree::{self, ExpressionId, Literal, LiteralKind, SourceUnit, UnaryOperator};
+use stickler_syntax::{parse, words};
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, Value};
 
 /// Reads a text; `None` where it is no program of the model.
 #[must_use]
 pub fn read(text: &str, dialect: DialectName) -> Option<Program> {
+    let is_used = |block: &&Pou| words(text, Dialect::of(dialect)).any(|word| word.is(&block.name));
+    let blocks = DialectProfile::of(dialect).standard_blocks().iter();
+    read_beside(text, dialect, blocks.filter(is_used).cloned().collect())
+}
+
+/// Returns the standard function blocks of a dialect, but for counters of WORD.
+///
+/// Basis: codesys-recording: recordings/codesys.run.json (`lib_std_…`), for the names SET and RESET.
+pub(crate) fn standard_blocks(dialect: DialectName) -> Vec<Pou> {
+    let rules = Dialect::of(dialect);
+    let [least, greatest] = match rules.counters_stop_at_preset {
+        true => ["INT#0", "PV"],
+        false => ["INT#-32768", "INT#32767"],
+    };
+    let [set, reset] = match rules.set_and_reset_inputs {
+        true => ["SET", "RESET"],
+        false => ["S", "R"],
+    };
+    let text = STANDARD_BLOCKS
+        .replace("{least}", least)
+        .replace("{greatest}", greatest);
+    let text = text.replace("{falls}", if rules.first_call_falls { "TRUE" } else { "FALSE" });
+    let text = text.replace("{S", set).replace("{R", reset).replace('}', "");
+    let read = read_beside(&text, dialect, Vec::new());
+    let mut blocks = read.map_or(Vec::new(), |program| program.blocks);
+    blocks.retain(|block| !(rules.set_and_reset_inputs && block.name.starts_with("CT")));
+    blocks.iter_mut().for_each(|block| block.standard = true);
+    blocks
+}
+
+const STANDARD_BLOCKS: &str = include_str!("reader/standard_blocks.st");
+
+/// Reads a text beside which these function blocks are there.
+fn read_beside(text: &str, dialect: DialectName, blocks: Vec<Pou>) -> Option<Program> {
     let (unit, diagnostics) = parse(text, Dialect::of(dialect));
     if !diagnostics.is_empty() {
         return None;
@@ -35,7 +69,10 @@ pub fn read(text: &str, dialect: DialectName) -> Option<Program> {
     let mut reader = Reader {
         unit: &unit,
         profile: DialectProfile::of(dialect),
-        program: Program::empty(dialect),
+        program: Program {
+            blocks,
+            ..Program::empty(dialect)
+        },
         variables: Vec::new(),
         function: None,
     };

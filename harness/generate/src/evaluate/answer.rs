@@ -81,6 +81,8 @@ words! {
         AliasedInOut = "one variable passed to two VAR_IN_OUT",
         /// An output assigned to a place that the call itself moves.
         OutputPlace = "an output to a place that the call moves",
+        /// A timer whose PT is not positive or changes, and a pulse that may begin where one ends.
+        Timer = "a timer with another PT than before, or an edge where a pulse ends",
         /// The initial value of a DATE or DT without an initializer.
         InitialDate = "the initial value of a date",
     }
@@ -117,6 +119,7 @@ impl OpenQuestion {
             OpenQuestion::LoopVariable | OpenQuestion::LoopChanged => "iec-61131-3: 7.3.3.4.2",
             OpenQuestion::TextLength => "iec-61131-3: Table 10",
             OpenQuestion::AliasedInOut | OpenQuestion::OutputPlace => "iec-61131-3: 6.6.1",
+            OpenQuestion::Timer => "iec-61131-3: Figure 15",
             OpenQuestion::InitialDate => "iec-61131-3: Table 10",
         }
     }

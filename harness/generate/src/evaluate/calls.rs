@@ -99,9 +99,34 @@ impl<'p> ModelEvaluator<'p> {
         let targets = self.places(outputs)?;
         self.within(unit.clone(), |evaluator| {
             evaluator.write_all(given)?;
-            evaluator.statements(&unit.pou.body)
+            evaluator.set_clock(&unit)?;
+            evaluator.statements(&unit.pou.body)?;
+            evaluator.check_timer(&unit)
         })?;
         self.capture(&unit, outputs, &targets)
+    }
+
+    /// Returns the place of a variable of a standard function block; `None` where it has no such one.
+    fn of_standard(unit: &Activation<'p>, name: &str) -> Option<Address> {
+        let mut variables = unit.pou.variables.iter();
+        let number = variables.position(|variable| variable.name == name)?;
+        unit.pou.standard.then(|| unit.part(number))
+    }
+
+    /// Gives a timer the time.
+    fn set_clock(&mut self, unit: &Activation<'p>) -> Evaluated<()> {
+        let now = MemoryCell::Plain(self.clock.cast_unsigned());
+        Self::of_standard(unit, "clock").map_or(Ok(()), |clock| self.store(&clock, now))
+    }
+
+    /// Raises a question where no source says what a timer gives.
+    fn check_timer(&mut self, unit: &Activation<'p>) -> Evaluated<()> {
+        if let Some(unsettled) = Self::of_standard(unit, "unsettled")
+            && *self.at(&unsettled)? != MemoryCell::Plain(0)
+        {
+            self.open(OpenQuestion::Timer, || unit.pou.name.clone());
+        }
+        Ok(())
     }
 
     /// Raises a question where two in-outs of one invocation share a variable: copying in and out would differ from references.

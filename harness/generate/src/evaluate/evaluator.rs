@@ -8,10 +8,13 @@ use stickler_types::ElementaryType;
 /// The maximum number of statements and expressions that an evaluation executes, its start included.
 pub const MAX_STEPS: u64 = 1_000_000;
 
+/// The time that passes from one scan to the next, in nanoseconds.
+pub const CYCLE: i64 = 4_000_000;
+
 /// The maximum nesting of calls, statements and operators.
 const MAX_DEPTH: u32 = 400;
 
-/// Evaluates a program for a number of scans, by the documents.
+/// Evaluates a program for a number of scans, by the documents; from one to the next passes a [`CYCLE`].
 ///
 /// Accepts any model, well-formed or not, and any number of scans; 0 scans give the initial values.
 ///
@@ -28,13 +31,15 @@ pub fn evaluate(program: &Program, scans: u32) -> Evaluated<Evaluation> {
         opened: Vec::new(),
         steps: 0,
         depth: 0,
+        clock: 0,
         unit: Activation {
             pou: &program.main,
             at: vec![0],
         },
     };
     evaluator.start()?;
-    for _ in 0..scans {
+    for scan in 0..scans {
+        evaluator.clock = i64::from(scan) * CYCLE;
         evaluator.statements(&program.main.body)?;
     }
     let values = evaluator.values()?;
@@ -55,6 +60,8 @@ pub(super) struct ModelEvaluator<'p> {
     pub opened: Vec<OpenPoint>,
     pub steps: u64,
     pub depth: u32,
+    /// The time since the start, in nanoseconds.
+    pub clock: i64,
     /// The unit under execution.
     pub unit: Activation<'p>,
 }

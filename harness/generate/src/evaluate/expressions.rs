@@ -32,6 +32,7 @@ impl<'p> ModelEvaluator<'p> {
                 let address = self.locate(place)?;
                 self.load(&address)
             }
+            ExpressionKind::Reference(place) => Ok(MemoryCell::Reference(self.locate(place)?)),
             ExpressionKind::Bit(place, bit) => self.bit(place, *bit),
             ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand),
             ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right),

@@ -21,7 +21,7 @@ pub(super) enum MemoryCell {
     /// The elements of an array, the last subscript varying fastest; the fields of a structure; or the variables of a unit, behind
     /// which stands the result of a function.
     Parts(Vec<MemoryCell>),
-    /// The variable that an in-out stands for.
+    /// The variable that an in-out stands for, or a reference leads to.
     Reference(Address),
 }
 
@@ -86,11 +86,15 @@ impl<'p> ModelEvaluator<'p> {
     pub fn locate(&mut self, place: &'p Place) -> Evaluated<Address> {
         let (mut address, mut ty) = self.variable(place.variable)?;
         for selector in &place.path {
-            address.push(match selector {
-                PlaceSelector::Index(_) => self.element(self.resolved(ty), selector)?,
-                PlaceSelector::Field(field) => *field,
-                PlaceSelector::Output(output) => output.0,
-            });
+            match selector {
+                PlaceSelector::Index(_) => address.push(self.element(self.resolved(ty), selector)?),
+                PlaceSelector::Field(field) => address.push(*field),
+                PlaceSelector::Output(output) => address.push(output.0),
+                PlaceSelector::Followed => match self.at(&address)? {
+                    MemoryCell::Reference(to) => address = to.clone(),
+                    _ => return Err(EvaluationError::Fault(Fault::NullDereference)),
+                },
+            }
             let nothing = ill_formed("a selection of something that its type does not have");
             ty = self.program.selected_type(ty, selector).ok_or(nothing)?;
         }

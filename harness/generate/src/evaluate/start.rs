@@ -76,6 +76,8 @@ impl<'p> ModelEvaluator<'p> {
                 // The first value of an enumeration.
                 None => MemoryCell::Plain(0),
             },
+            // NULL.
+            Type::Reference(_) => MemoryCell::Plain(0),
             Type::Block(_) => return Err(ill_formed("an instance that is no variable")),
         })
     }

@@ -4,9 +4,10 @@ use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::operations::has_bits;
-use super::scope::contains_text;
+use super::scope::{VisiblePlace, contains_text};
 use crate::model::{
-    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Statement, Type, VariableId,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, PathStep, Place, Statement, Type,
+    VariableId, VariableSection,
 };
 use stickler_types::{ElementaryType, Family};
 
@@ -46,10 +47,53 @@ impl ProgramBuilder<'_, '_> {
         Some(Expression::binary(operator, held, added, ty))
     }
 
+    /// Generates a reference to a writable place of this type, outside instances of function blocks.
+    fn reference(&mut self, to: &Type) -> Option<Expression> {
+        let may_be_part = !self.lacks("reference-to-part");
+        let suits = |seen: &VisiblePlace| {
+            let is_output = |step: &PathStep| matches!(step, PathStep::Output(_));
+            let is_there = seen.path.is_empty() || may_be_part;
+            seen.ty == *to
+                && seen.writable
+                && is_there
+                && !seen.path.iter().any(is_output)
+                && !seen.is_followed()
+        };
+        let seen = self.choose(suits)?;
+        Some(Expression {
+            ty: Type::Reference(Box::new(to.clone())),
+            kind: ExpressionKind::Reference(self.place(&seen, true)),
+        })
+    }
+
+    /// Declares references of main, and generates the statements that let them lead to something.
+    pub fn references(&mut self) -> Vec<Statement> {
+        let mut bound = Vec::new();
+        if self.has(Construct::References) && self.program.reference_words().is_some() {
+            for _ in 0..=self.random.below(2) {
+                let to = match self.any_type() {
+                    ty if ty.is_text() => continue,
+                    ty => Type::Elementary(ty),
+                };
+                let Some(value) = self.reference(&to) else {
+                    continue;
+                };
+                let ty = value.ty.clone();
+                let reference = self.declare_variable("r", ty.clone(), VariableSection::Local, None);
+                let target = AssignmentTarget::Place(Place::whole(reference, ty));
+                bound.push(Statement::Assign(target, value));
+            }
+        }
+        bound
+    }
+
     /// Generates a value for a place of type `ty` in a variable; `None` if there is no such value.
     pub fn assigned(&mut self, ty: &Type, variable: usize) -> Option<Expression> {
         if contains_text(ty, &self.program) {
             self.text_bound = VariableId(variable);
+        }
+        if let Type::Reference(to) = ty {
+            return self.reference(to);
         }
         if let Type::Elementary(ty) = ty {
             return Some(self.value(*ty, TypeContext::Assigned, self.deepest));

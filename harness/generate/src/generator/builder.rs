@@ -20,6 +20,7 @@ pub fn program(bytes: &[u8], settings: &GeneratorSettings) -> Program {
     let mut builder = ProgramBuilder::new(Random::new(&mut input), settings);
     builder.declare_types();
     builder.functions();
+    builder.standard_blocks();
     builder.blocks();
     builder.main();
     let ProgramBuilder { mut program, pou, .. } = builder;
@@ -139,7 +140,8 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         self.begin(most);
         self.is_main = true;
         self.main_variables();
-        let mut body = self.body(most);
+        let mut body = self.references();
+        body.extend(self.body(most));
         self.add_checksums(&mut body);
         self.program.main.body = body;
     }

@@ -220,6 +220,7 @@ fn spread(steps: &[PathStep]) -> Vec<Vec<PlaceSelector>> {
         let selectors = match step {
             PathStep::Field(field) => vec![PlaceSelector::Field(*field)],
             PathStep::Output(output) => vec![PlaceSelector::Output(*output)],
+            PathStep::Followed => vec![PlaceSelector::Followed],
             PathStep::Index(limits) => every_element(limits),
         };
         paths = paths

@@ -33,6 +33,10 @@ pub(super) enum Construct {
     Functions,
     /// Function blocks of the program.
     Blocks,
+    /// Standard function blocks.
+    StandardBlocks,
+    /// References or pointers.
+    References,
     /// `+`, `-`, `*`.
     Arithmetic,
     /// `/`, `MOD`.

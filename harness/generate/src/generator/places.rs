@@ -31,6 +31,7 @@ impl ProgramBuilder<'_, '_> {
         let path = seen.path.iter().map(|step| match step {
             PathStep::Field(field) => PlaceSelector::Field(*field),
             PathStep::Output(output) => PlaceSelector::Output(*output),
+            PathStep::Followed => PlaceSelector::Followed,
             PathStep::Index(limits) => {
                 let subscripts = limits.iter().map(|&(low, high)| self.subscript(low, high, fixed));
                 PlaceSelector::Index(subscripts.collect())
@@ -101,8 +102,9 @@ impl ProgramBuilder<'_, '_> {
     /// Picks a writable place of exactly this type, outside the variables `besides`; its subscripts are fixed.
     pub fn writable_part(&mut self, ty: &Type, besides: &[VariableId]) -> Option<Place> {
         let pou = &self.pou;
-        let suits =
-            |seen: &VisiblePlace| seen.ty == *ty && pou.may_write(seen) && !besides.contains(&seen.variable);
+        let suits = |seen: &VisiblePlace| {
+            seen.ty == *ty && pou.may_write(seen) && !seen.is_followed() && !besides.contains(&seen.variable)
+        };
         let seen = self.random.pick_where(&pou.places, suits)?.clone();
         Some(self.place(&seen, true))
     }

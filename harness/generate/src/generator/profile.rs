@@ -3,9 +3,10 @@
 
 use super::TypeContext;
 use super::literals;
-use crate::model::{BinaryOperator, Expression, ExpressionKind, StandardFunction, Type, UnaryOperator};
+use crate::model::{BinaryOperator, Expression, ExpressionKind, Pou, StandardFunction, Type, UnaryOperator};
+use crate::reader::standard_blocks;
 use std::collections::HashMap;
-use std::sync::{LazyLock, PoisonError, RwLock};
+use std::sync::{LazyLock, OnceLock, PoisonError, RwLock};
 use stickler_exact::{ImplicitResult, Signature, expected, functions, implicit, implicit_result, signatures};
 use stickler_types::dialect::{OperandTypes, ResultSigns};
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord, MomentUnits, Value};
@@ -41,6 +42,7 @@ pub(crate) struct DialectProfile {
     sources: Vec<Vec<ElementaryType>>,
     /// The conversion functions that give each type, indexed by [`ElementaryType`].
     offers: Vec<Vec<ConversionOffer>>,
+    standard_blocks: OnceLock<Vec<Pou>>,
 }
 
 /// The profiles of the dialects that were asked for. They live as long as the process.
@@ -60,6 +62,11 @@ impl DialectProfile {
                 .entry(dialect)
                 .or_insert_with(|| Box::leak(Box::new(DialectProfile::build(dialect))))
         })
+    }
+
+    /// Returns the standard function blocks.
+    pub fn standard_blocks(&self) -> &[Pou] {
+        self.standard_blocks.get_or_init(|| standard_blocks(self.dialect))
     }
 
     /// Returns the types that convert implicitly to `into`.
@@ -187,6 +194,7 @@ impl DialectProfile {
             weighted_types: weighted_types(&types),
             sources: sources.into(),
             offers: offers(dialect, &types),
+            standard_blocks: OnceLock::new(),
         }
     }
 }

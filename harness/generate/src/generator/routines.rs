@@ -1,9 +1,9 @@
 //! Generation of functions and function blocks.
 
-use super::builder::ProgramBuilder;
+use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
 use super::scope::contains_text;
-use crate::model::{AssignmentTarget, Pou, Statement, Type, VariableSection};
+use crate::model::{AssignmentTarget, Pou, Statement, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
 /// The maximum number of statements of a function or function block, besides those that end it.
@@ -40,6 +40,7 @@ impl ProgramBuilder<'_, '_> {
             self.program.functions.push(Pou {
                 name: format!("Fun{number}"),
                 result: Some(result),
+                standard: false,
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });
@@ -52,6 +53,28 @@ impl ProgramBuilder<'_, '_> {
         let value = self.assigned(ty, self.pou.variables.len())?;
         self.spend(1);
         Some(Statement::Assign(AssignmentTarget::Result, value))
+    }
+
+    /// Picks the standard function blocks that the program has instances of.
+    pub fn standard_blocks(&mut self) {
+        if !self.has(Construct::StandardBlocks) {
+            return;
+        }
+        for _ in 0..=self.random.below(3) {
+            let (known, lacking) = (&self.program.blocks, &self.lacking);
+            let is_there = |variable: &Variable| match variable.ty {
+                Type::Elementary(ty) => !is_in(lacking, ty.name()),
+                _ => true,
+            };
+            let suits = |block: &Pou| {
+                let is_lacking = is_in(lacking, feature(&block.name));
+                !is_lacking && block.variables.iter().all(is_there) && !known.contains(block)
+            };
+            if let Some(block) = self.random.pick_where(self.profile.standard_blocks(), suits) {
+                self.program.blocks.push(block.clone());
+                self.block_costs.push(8);
+            }
+        }
     }
 
     /// Generates the function blocks, each of which may have instances of earlier ones.
@@ -79,14 +102,16 @@ impl ProgramBuilder<'_, '_> {
                 let ty = self.variable_type();
                 self.declare_local(ty);
             }
-            if number > 0 && self.random.chance(1, 3) {
-                self.declare_instance(number - 1);
+            if !self.program.blocks.is_empty() && self.random.chance(1, 3) {
+                let block = self.random.below(self.program.blocks.len());
+                self.declare_instance(block);
             }
             let body = self.body(most);
             self.block_costs.push(self.pou.cost);
             self.program.blocks.push(Pou {
                 name: format!("Block{number}"),
                 result: None,
+                standard: false,
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
             });
@@ -99,5 +124,15 @@ impl ProgramBuilder<'_, '_> {
         if !contains_text(&ty, &self.program) && !matches!(ty, Type::Array(_)) {
             self.declare_variable("ref", ty, VariableSection::InOut, None);
         }
+    }
+}
+
+/// Returns the feature of the language that a standard function block belongs to.
+fn feature(block: &str) -> &'static str {
+    match block {
+        "SR" | "RS" => "bistable-blocks",
+        "R_TRIG" | "F_TRIG" => "edge-blocks",
+        "CTU" | "CTD" | "CTUD" => "counter-blocks",
+        _ => "timer-blocks",
     }
 }

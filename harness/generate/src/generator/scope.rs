@@ -39,6 +39,13 @@ pub(super) struct VisiblePlace {
     pub constant: bool,
 }
 
+impl VisiblePlace {
+    /// Returns whether a reference leads to the place.
+    pub fn is_followed(&self) -> bool {
+        self.path.contains(&PathStep::Followed)
+    }
+}
+
 /// A value that a variable, or an elementary part of it, gets from a literal: at the start, or by an assignment.
 #[derive(Clone, Debug)]
 pub(super) struct HeldValue {
@@ -151,7 +158,9 @@ impl PouScope {
 
     /// Returns whether a place may be written here.
     pub fn may_write(&self, place: &VisiblePlace) -> bool {
-        place.writable && !self.locked.contains(&place.variable)
+        // What a reference leads to may be locked.
+        let may_be_locked = self.locked.contains(&place.variable) || place.is_followed();
+        place.writable && (self.locked.is_empty() || !may_be_locked)
     }
 
     /// Returns whether a value of a type can be read that no compiler knows.

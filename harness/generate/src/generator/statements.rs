@@ -7,7 +7,9 @@ use crate::model::{
     Argument, CaseBranch, CaseLabel, Expression, LiteralForm, Statement, Type, VariableId, VariableSection,
     integer,
 };
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Value};
+
+const TIME: Type = Type::Elementary(ElementaryType::Time);
 
 /// The kinds of statements that the generator chooses from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -239,12 +241,19 @@ impl ProgramBuilder<'_, '_> {
             .enumerate()
             .map(|(place, variable)| (VariableId(place), variable.section, variable.ty.clone()))
             .collect();
+        let is_standard = self.program.blocks[block].standard;
         let mut inputs = Vec::new();
         let mut outputs = Vec::new();
         // The variables that the block may write, each once.
         let mut given = Vec::new();
         for (parameter, section, ty) in parameters {
             match section {
+                // No document says what a timer makes of another PT while it runs, so each instance has one.
+                VariableSection::Input if ty == TIME && is_standard => {
+                    let time = Value::plain(ElementaryType::Time, (1 + instance.0 as u64 % 9) * 1_000_000);
+                    let value = Expression::literal(ElementaryType::Time, time, LiteralForm::Untyped);
+                    inputs.push(Argument { parameter, value });
+                }
                 VariableSection::Input if self.random.chance(3, 4) => {
                     // Texts that come out again could grow.
                     self.text_bound = VariableId(0);

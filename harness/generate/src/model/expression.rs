@@ -97,6 +97,8 @@ pub enum ExpressionKind {
     Read(Place),
     /// A bit of an integer or bit string, as BOOL; written `.n` or `.%Xn`.
     Bit(Place, u32),
+    /// A reference to a place: `REF(place)`.
+    Reference(Place),
     /// An operator with one operand of the same type.
     Unary(UnaryOperator, Box<Expression>),
     /// An operator with two operands of one type; a comparison gives BOOL, any other operator that same type (except for
@@ -166,6 +168,8 @@ pub enum PlaceSelector {
     Field(usize),
     /// `.output` of a function block instance.
     Output(VariableId),
+    /// `^`, behind a reference: the place that it leads to.
+    Followed,
 }
 
 /// Prefix operators.

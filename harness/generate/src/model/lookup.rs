@@ -44,6 +44,7 @@ impl Program {
         match (selector, self.unaliased(ty)) {
             (PlaceSelector::Index(_), Type::Array(array)) => Some(&array.element),
             (PlaceSelector::Field(field), ty) => self.fields(ty)?.get(*field).map(|(_, ty, _)| ty),
+            (PlaceSelector::Followed, Type::Reference(ty)) => Some(ty),
             (PlaceSelector::Output(output), Type::Block(block)) => {
                 let output = Unit::Block(*block).variables(self).get(output.0)?;
                 Some(&output.ty)
@@ -53,11 +54,13 @@ impl Program {
     }
 
     /// Returns the parts that a type directly consists of, each with its name and its type: the elements of an array at once and without
-    /// a name, the fields of a structure, or the outputs of a function block, which alone every compiler lets its environment read.
+    /// a name, the fields of a structure, what a reference leads to, or the outputs of a function block, which alone every compiler lets its environment
+    /// read.
     #[must_use]
     pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t str, &'t Type)> {
         match self.unaliased(ty) {
             Type::Elementary(_) => Vec::new(),
+            Type::Reference(ty) => vec![(PathStep::Followed, "", ty)],
             Type::Array(array) => vec![(PathStep::Index(array.dimensions.clone()), "", &array.element)],
             ty @ Type::Declared(_) => {
                 let fields = self.fields(ty).unwrap_or_default().iter().enumerate();
@@ -113,6 +116,8 @@ impl Program {
                 PathStep::Field(number) | PathStep::Output(VariableId(number)) => {
                     vec![(format!(".{name}"), number)]
                 }
+                // What it leads to is observed itself.
+                PathStep::Followed => Vec::new(),
             };
             for (name, number) in inside {
                 let numbers = [numbers, &[number]].concat();
@@ -131,6 +136,8 @@ pub enum PathStep {
     Field(usize),
     /// To an output of a function block instance.
     Output(VariableId),
+    /// To what a reference leads to.
+    Followed,
 }
 
 /// An elementary value in a variable of main.

@@ -14,13 +14,25 @@ pub struct Program {
     pub types: Vec<TypeDeclaration>,
     /// The functions; each calls only earlier ones.
     pub functions: Vec<Pou>,
-    /// The function blocks; each has instances only of earlier ones.
+    /// The function blocks, the standard ones that are used among them; each has instances only of earlier ones.
     pub blocks: Vec<Pou>,
     /// The main program, `PROGRAM main`.
     pub main: Pou,
 }
 
 impl Program {
+    /// Returns the words for a type of references and for the reference to a variable that the dialect has; `None` where it has neither
+    /// references nor pointers.
+    #[must_use]
+    pub fn reference_words(&self) -> Option<(&'static str, &'static str)> {
+        let lacks = |features: [&str; 3]| features.iter().any(|key| self.dialect.rules().lacks(key));
+        match lacks(["reference", "ref", "dereference"]) {
+            false => Some(("REF_TO", "REF")),
+            true if !lacks(["pointer", "adr", "pointer"]) => Some(("POINTER TO", "ADR")),
+            true => None,
+        }
+    }
+
     /// Creates a program without declarations and statements.
     #[must_use]
     pub fn empty(dialect: DialectName) -> Program {
@@ -44,6 +56,8 @@ pub struct Pou {
     pub name: String,
     /// The type of the result of a function, whose value starts as the default of that type; `None` for any other unit.
     pub result: Option<Type>,
+    /// Whether it is a standard function block, of which the program has no text.
+    pub standard: bool,
     /// The variables. In a function the inputs come first, in the order of a positional call; those of a function block keep
     /// their values between calls; those of main are all [`VariableSection::Local`].
     pub variables: Vec<Variable>,
@@ -107,6 +121,8 @@ pub enum Type {
     Declared(usize),
     /// A function block of [`super::Program::blocks`], by its index; only variables have such a type.
     Block(usize),
+    /// `REF_TO INT`, or `POINTER TO INT` where the dialect has no references; only variables of main have such a type.
+    Reference(Box<Type>),
 }
 
 /// An array type.
@@ -152,11 +168,14 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Returns every unit that has variables and statements, in the order of the text.
+    /// Returns every unit of which the text has variables and statements, in its order.
     #[must_use]
     pub fn all(program: &Program) -> Vec<Unit> {
         let functions = (0..program.functions.len()).map(Unit::Function);
-        let blocks = (0..program.blocks.len()).map(Unit::Block);
+        let blocks = program.blocks.iter().enumerate();
+        let blocks = blocks
+            .filter(|(_, block)| !block.standard)
+            .map(|(index, _)| Unit::Block(index));
         functions.chain(blocks).chain([Unit::Main]).collect()
     }
 

@@ -67,12 +67,12 @@ macro_rules! define_visitor {
         }
 
         /// Visits a program: main, functions, function blocks, then type declarations; of each unit the body before the
-        /// variables.
+        /// variables. Standard function blocks have no text to be visited.
         pub fn walk_program(visitor: &mut (impl $visitor + ?Sized), program: &$($mutability)? Program) {
             let Program { types, functions, blocks, main, .. } = program;
             let functions = functions.into_iter().enumerate();
             let functions = functions.map(|(index, function)| (Unit::Function(index), function));
-            let blocks = blocks.into_iter().enumerate();
+            let blocks = blocks.into_iter().enumerate().filter(|(_, block)| !block.standard);
             let blocks = blocks.map(|(index, block)| (Unit::Block(index), block));
             for (unit, pou) in [(Unit::Main, main)].into_iter().chain(functions).chain(blocks) {
                 visitor.enter(unit);
@@ -215,8 +215,9 @@ macro_rules! define_visitor {
             expression: &$($mutability)? Expression,
         ) {
             visitor.ty(&$($mutability)? expression.ty);
-            if let ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) =
-                &$($mutability)? expression.kind
+            if let ExpressionKind::Read(place)
+            | ExpressionKind::Bit(place, _)
+            | ExpressionKind::Reference(place) = &$($mutability)? expression.kind
             {
                 visitor.place(place);
             }
@@ -259,6 +260,7 @@ macro_rules! define_visitor {
                 ExpressionKind::Literal(..)
                 | ExpressionKind::Enumerated(_)
                 | ExpressionKind::Read(_)
+                | ExpressionKind::Reference(_)
                 | ExpressionKind::Bit(..)
                 | ExpressionKind::Raw(_) => Vec::new(),
             }

@@ -2,7 +2,7 @@
 //! for the program and for its variants.
 
 use super::{InputOutcome, Judged, OracleFailure, failed};
-use crate::evaluate::{Evaluation, EvaluationError, evaluate};
+use crate::evaluate::{CYCLE, Evaluation, EvaluationError, evaluate};
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::random::{Random, bytes};
@@ -11,7 +11,7 @@ use crate::variants::Variant;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use stickler_reference::{Limits, RequestError, run};
-use stickler_types::{DialectName, Fnv1a, Observation, Outcome, RunRequest, Value};
+use stickler_types::{ClockSetting, DialectName, Fnv1a, Observation, Outcome, RunRequest, Value};
 
 /// The number of variants of a program that are tried; the input chooses which.
 const VARIANTS_TRIED: usize = 3;
@@ -39,10 +39,11 @@ pub fn program_of(data: &[u8]) -> Program {
 /// symptom of a variant begins with `variant`, its name and a colon.
 pub fn judge_program(program: &Program, rest: &[u8]) -> Judged {
     let text = write(program, &Style::default()).text;
-    let evaluation = match evaluate(program, 1) {
+    let scans = scans(rest);
+    let evaluation = match evaluate(program, scans) {
         Ok(evaluation) => evaluation,
         Err(EvaluationError::Raw) => return Ok(InputOutcome::Skipped("raw text in the program")),
-        Err(EvaluationError::Fault(fault)) => return judge_fault(program, &text, fault),
+        Err(EvaluationError::Fault(fault)) => return judge_fault(program, &text, scans, fault),
         Err(EvaluationError::StepLimit) => {
             let message = "the program takes too many steps, though it is made to end soon";
             return Err(OracleFailure::new("generator:step-limit", message).of_program(text));
@@ -55,7 +56,7 @@ pub fn judge_program(program: &Program, rest: &[u8]) -> Judged {
     let binds = evaluation.binds_the_reference();
     // Where documents leave values open, the program is accepted and runs all the same.
     let values = if binds { &evaluation.values[..] } else { &[] };
-    judge_text(program, &text, values).map_err(|failure| failure.of_program(&*text))?;
+    judge_text(program, &text, scans, values).map_err(|failure| failure.of_program(&*text))?;
     if !binds {
         return Ok(InputOutcome::Skipped("documents leave open what it gives"));
     }
@@ -64,8 +65,8 @@ pub fn judge_program(program: &Program, rest: &[u8]) -> Judged {
 }
 
 /// Judges a program that stops: the reference must stop it with the same fault.
-fn judge_fault(program: &Program, text: &str, fault: stickler_types::Fault) -> Judged {
-    let symptom = match reference(program.dialect, text, &[]) {
+fn judge_fault(program: &Program, text: &str, scans: u32, fault: stickler_types::Fault) -> Judged {
+    let symptom = match reference(program.dialect, text, scans, &[]) {
         Ok(Outcome::Faulted { fault: given, .. }) if given == fault => return Ok(InputOutcome::Checked),
         Ok(Outcome::Faulted { fault: given, .. }) => format!("fault:{given}"),
         Ok(Outcome::Executed { .. }) => format!("not-fault:{fault}"),
@@ -90,7 +91,7 @@ fn judge_variants(program: &Program, text: &str, evaluation: &Evaluation, rest: 
             break;
         };
         if let Some(varied) = variant.text(program, &mut choices) {
-            judge_variant(*variant, program, text, &varied, evaluation)?;
+            judge_variant(*variant, program, text, &varied, scans(rest), evaluation)?;
         }
     }
     Ok(())
@@ -101,9 +102,10 @@ fn judge_variant(
     program: &Program,
     text: &str,
     varied: &str,
+    scans: u32,
     evaluation: &Evaluation,
 ) -> Judged<()> {
-    judge_text(program, varied, &evaluation.values).map_err(|failure| {
+    judge_text(program, varied, scans, &evaluation.values).map_err(|failure| {
         let name = variant.as_str();
         OracleFailure::new(
             format!("variant {name}:{}", failure.symptom),
@@ -117,8 +119,8 @@ fn judge_variant(
 }
 
 /// Compares what the reference does with a text of a program with the values that the program must give.
-fn judge_text(program: &Program, text: &str, values: &[(String, Value)]) -> Judged<()> {
-    let outcome = match reference(program.dialect, text, &program.observed()) {
+fn judge_text(program: &Program, text: &str, scans: u32, values: &[(String, Value)]) -> Judged<()> {
+    let outcome = match reference(program.dialect, text, scans, &program.observed()) {
         Ok(outcome @ (Outcome::Executed { .. } | Outcome::Rejected { .. } | Outcome::Faulted { .. })) => {
             outcome
         }
@@ -131,17 +133,28 @@ fn judge_text(program: &Program, text: &str, values: &[(String, Value)]) -> Judg
     }
 }
 
-/// Runs a text on the reference for one scan.
+/// Runs a text on the reference.
 fn reference(
     dialect: DialectName,
     source: &str,
+    scans: u32,
     observed: &[(String, stickler_types::ElementaryType)],
 ) -> Result<Outcome, RequestError> {
     let observe: Vec<Observation> = observed
         .iter()
         .map(|(name, ty)| Observation::last(name, ty.name()))
         .collect();
-    run(&RunRequest::once(dialect, source, &observe), Limits::default())
+    let request = RunRequest {
+        scans,
+        clock: &ClockSetting::each(CYCLE, scans),
+        ..RunRequest::once(dialect, source, &observe)
+    };
+    run(&request, Limits::default())
+}
+
+/// Returns the number of scans that the program of an input runs.
+fn scans(input: &[u8]) -> u32 {
+    1 + u32::from(choice_bytes(input)[0] % 4)
 }
 
 fn broken(error: &RequestError) -> OracleFailure {
@@ -179,7 +192,7 @@ mod tests {
                 let choices = choice_bytes(&[seed]);
                 if let Some(varied) = variant.text(&program, &mut Unstructured::new(&choices)) {
                     assert_eq!(
-                        judge_variant(variant, &program, &text, &varied, &evaluation),
+                        judge_variant(variant, &program, &text, &varied, 1, &evaluation),
                         Ok(())
                     );
                 }
@@ -193,10 +206,10 @@ mod tests {
         let text = write(&program, &Style::default()).text;
         let evaluation = evaluate(&program, 1).unwrap();
         let wrong = text.replace("7", "8");
-        let failure = judge_variant(Variant::DeadCode, &program, &text, &wrong, &evaluation).unwrap_err();
+        let failure = judge_variant(Variant::DeadCode, &program, &text, &wrong, 1, &evaluation).unwrap_err();
         assert_eq!(failure.symptom, "variant dead-code:value:DINT");
         let ill_formed = text.replace("INT#7", "INT#7.0");
-        let failure = judge_variant(Variant::Bits, &program, &text, &ill_formed, &evaluation).unwrap_err();
+        let failure = judge_variant(Variant::Bits, &program, &text, &ill_formed, 1, &evaluation).unwrap_err();
         assert_eq!(failure.symptom, "variant bits:rejected:P2026");
     }
 

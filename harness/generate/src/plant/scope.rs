@@ -61,7 +61,7 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
                 .any(|value| written(value).is_some());
             own.filter(|_| rigid)
         }
-        ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => None,
+        ExpressionKind::Enumerated(_) | ExpressionKind::Reference(_) | ExpressionKind::Raw(_) => None,
     }
 }
 
@@ -113,6 +113,7 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
             }
             PathStep::Field(field) => PlaceSelector::Field(field),
             PathStep::Output(output) => PlaceSelector::Output(output),
+            PathStep::Followed => PlaceSelector::Followed,
         };
         let part = Place {
             variable: place.variable,

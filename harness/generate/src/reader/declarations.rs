@@ -69,6 +69,9 @@ impl<'t> Reader<'t> {
     fn ty(&self, specification: &TypeSpecification<'t>) -> Option<Type> {
         match &specification.kind {
             TypeSpecificationKind::Named(name) => self.named_type(name),
+            TypeSpecificationKind::Pointer { target, .. } => {
+                Some(Type::Reference(Box::new(self.ty(target)?)))
+            }
             TypeSpecificationKind::Array { dimensions, element } => {
                 let limit = |id: &ExpressionId| i64::try_from(self.integer(*id)?).ok();
                 let dimensions = dimensions.iter().map(|(low, high)| {
@@ -111,6 +114,7 @@ impl<'t> Reader<'t> {
         let read = Pou {
             name,
             result: self.function.take().map(|(_, result)| result),
+            standard: false,
             variables: std::mem::take(&mut self.variables),
             body,
         };

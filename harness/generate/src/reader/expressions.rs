@@ -80,7 +80,9 @@ impl Reader<'_> {
             tree::ExpressionKind::Parenthesized(inner) => self.operation(*inner),
             tree::ExpressionKind::Literal(literal) => typed(literal),
             tree::ExpressionKind::Name(name) => self.enumerated(name).or_else(|| self.read(id)),
-            tree::ExpressionKind::Field { .. } | tree::ExpressionKind::Index { .. } => self.read(id),
+            tree::ExpressionKind::Field { .. }
+            | tree::ExpressionKind::Index { .. }
+            | tree::ExpressionKind::Dereference { .. } => self.read(id),
             tree::ExpressionKind::Bit { .. } => {
                 let (place, bit) = self.bit(id)?;
                 Some(Expression::elementary(
@@ -100,7 +102,6 @@ impl Reader<'_> {
             } => self.binary(*operator, *left, *right),
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
-            | tree::ExpressionKind::Dereference { .. }
             | tree::ExpressionKind::Assigned { .. }
             | tree::ExpressionKind::Error => None,
         }
@@ -148,6 +149,7 @@ impl Reader<'_> {
                 let subscripts = subscripts.iter().map(|id| self.subscript(*id));
                 (place, PlaceSelector::Index(subscripts.collect::<Option<_>>()?))
             }
+            tree::ExpressionKind::Dereference { base } => (self.place(*base)?, PlaceSelector::Followed),
             tree::ExpressionKind::Field { base, field } => {
                 let place = self.place(*base)?;
                 let selector = match &place.ty {
@@ -248,6 +250,15 @@ impl Reader<'_> {
             _ => None,
         });
         let arguments: Vec<ExpressionId> = positional.collect::<Option<_>>()?;
+        if let (Some((_, word)), [place]) = (self.program.reference_words(), &arguments[..])
+            && name.is(word)
+        {
+            let place = self.place(*place)?;
+            return Some(Expression {
+                ty: Type::Reference(Box::new(place.ty.clone())),
+                kind: ExpressionKind::Reference(place),
+            });
+        }
         match StandardFunction::from_word(&name.text.to_ascii_uppercase()) {
             Some(function) => self.standard(function, &arguments),
             None => match arguments[..] {
@@ -356,7 +367,7 @@ fn result(operator: BinaryOperator, operands: &Type) -> Option<ElementaryType> {
         }
         Type::Elementary(ty) => arithmetic::binary(operator, *ty, 1, 1) != arithmetic::Binary::Undefined,
         Type::Declared(_) => is_equality,
-        Type::Array(_) | Type::Block(_) => false,
+        Type::Array(_) | Type::Block(_) | Type::Reference(_) => false,
     };
     match (has_it, operands) {
         (false, _) => None,

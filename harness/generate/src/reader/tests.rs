@@ -5,7 +5,7 @@ use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::random::bytes;
 use crate::writer::{Style, write};
-use stickler_types::DialectName;
+use stickler_types::{Dialect, DialectName};
 
 #[test]
 fn what_is_written_is_read_back_as_the_same_program() {
@@ -80,5 +80,22 @@ fn a_text_whose_types_no_document_settles_is_not_read() {
         "missing := 1;",
     ] {
         assert_eq!(statement(text), None, "{text}");
+    }
+}
+
+#[test]
+fn the_standard_blocks_are_read_in_every_dialect() {
+    for dialect in DialectName::ALL {
+        let names: Vec<String> = { super::standard_blocks(dialect).into_iter() }
+            .map(|block| block.name)
+            .collect();
+        let all = [
+            "SR", "RS", "R_TRIG", "F_TRIG", "CTU", "CTD", "CTUD", "TP", "TON", "TOF",
+        ];
+        let counts_words = Dialect::of(dialect).set_and_reset_inputs;
+        let all = all
+            .into_iter()
+            .filter(|name| !(counts_words && name.starts_with("CT")));
+        assert!(names.iter().eq(all), "{dialect}: {names:?}");
     }
 }

@@ -113,6 +113,13 @@ impl<'p> SourceWriter<'p> {
                 self.between_blanks("OF");
                 self.type_name(&array.element);
             }
+            Type::Reference(to) => {
+                if let Some((word, _)) = program.reference_words() {
+                    self.word(word);
+                    self.blank();
+                    self.type_name(to);
+                }
+            }
             Type::Declared(declared) => self.put(program.types.get(*declared).map_or("", |ty| &ty.name)),
             Type::Block(block) => self.put(program.blocks.get(*block).map_or("", |block| &block.name)),
         }

@@ -45,6 +45,12 @@ impl SourceWriter<'_> {
             ExpressionKind::Literal(value, form) => self.literal(value, *form),
             ExpressionKind::Enumerated(which) => self.enumerated(&expression.ty, *which),
             ExpressionKind::Read(place) => self.place(place),
+            ExpressionKind::Reference(place) => {
+                self.word(self.program.reference_words().map_or("", |(_, word)| word));
+                self.put("(");
+                self.place(place);
+                self.put(")");
+            }
             ExpressionKind::Bit(place, bit) => self.bit(place, *bit),
             ExpressionKind::Unary(operator, operand) => self.unary(*operator, operand),
             ExpressionKind::Binary(operator, left, right) => self.binary(*operator, left, right),
@@ -217,6 +223,7 @@ impl SourceWriter<'_> {
                 self.list(subscripts, |writer, subscript| writer.expression(subscript));
                 self.put("]");
             }
+            PlaceSelector::Followed => self.put("^"),
             PlaceSelector::Field(field) => {
                 let (name, ..) = program.fields(within)?.get(*field)?;
                 self.put(".");

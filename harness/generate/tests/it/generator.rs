@@ -152,6 +152,7 @@ impl Measured<'_> {
             Type::Declared(_) if self.program.enumerated_values(ty).is_some() => "enumeration".to_owned(),
             Type::Declared(_) => "alias".to_owned(),
             Type::Block(_) => "instance".to_owned(),
+            Type::Reference(_) => "reference".to_owned(),
         };
         self.found.insert(format!("{construct} {shape}"));
     }

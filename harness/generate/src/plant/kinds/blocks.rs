@@ -28,10 +28,12 @@ fn inner(block: &Pou) -> Vec<VariableId> {
     let variables = block.variables.iter().enumerate();
     variables
         .filter(|(_, variable)| {
-            matches!(
-                variable.section,
-                VariableSection::Local | VariableSection::Constant
-            )
+            // Those of the standard have others in each system.
+            !block.standard
+                && matches!(
+                    variable.section,
+                    VariableSection::Local | VariableSection::Constant
+                )
         })
         .map(|(number, _)| VariableId(number))
         .collect()

@@ -202,11 +202,12 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: ironplc-problem-codes: P4005.
 pub(super) fn recursive_block(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let number = fault.choose((0..fault.original.blocks.len()).collect())?;
-    let name = &fault.original.blocks.get(number)?.name;
+    let blocks = fault.original.blocks.iter().enumerate();
+    let own = blocks.filter(|(_, block)| !block.standard);
+    let (number, block) = fault.choose(own.collect())?;
     fault.declare_text(
         Unit::Block(number),
-        &format!("{PLANTED}_own : {name}"),
+        &format!("{PLANTED}_own : {}", block.name),
         VariableSection::Local,
     )
 }

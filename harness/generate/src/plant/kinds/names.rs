@@ -142,7 +142,8 @@ fn again(fault: &mut FaultSite<'_, '_>, pou: &Pou, name: &str) -> Option<()> {
 ///
 /// Basis: ironplc-problem-codes: P4013.
 pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let block = fault.choose(fault.original.blocks.iter().collect())?;
+    let blocks = fault.original.blocks.iter().filter(|block| !block.standard);
+    let block = fault.choose(blocks.collect())?;
     again(fault, block, &block.name)
 }
 
