@@ -44,7 +44,7 @@ const fn is_cross_family(from: ElementaryType, to: ElementaryType) -> bool {
 /// The word of each pair of types, by their numbers.
 type PairWords = [[MatrixWord; ElementaryType::ALL.len()]; ElementaryType::ALL.len()];
 
-/// What each document says, in the order of [`DocumentedImplicit::ALL`]. A mistake in `implicit.toml` is a panic, which the first use shows.
+/// The tables of the documents, in the order of [`DocumentedImplicit::ALL`]. The first use panics where `implicit.toml` has a mistake.
 static DOCUMENTS: LazyLock<[PairWords; DocumentedImplicit::ALL.len()]> = LazyLock::new(|| {
     let tables = toml::from_str(include_str!("implicit.toml"));
     let tables: BTreeMap<String, PairTable> = tables.unwrap_or_else(|error| panic!("implicit.toml: {error}"));

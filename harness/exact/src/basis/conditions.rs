@@ -6,7 +6,7 @@ use crate::{bcd, integer, moment};
 use stickler_types::{ElementaryType, Family, MomentUnits, Rounding, Value, words};
 
 words! {
-    /// What a row demands of the operand and of the types.
+    /// A condition on the operand and the types of a call, under which a row of the table states its result.
     Condition {
         /// The types differ.
         AnotherType = "another type",
@@ -16,7 +16,7 @@ words! {
         Held = "held",
         /// The integer is negative and the target has more bits.
         SignExtended = "sign extended",
-        /// It is not negative, or the target has no more bits.
+        /// The integer is not negative, or the target has no more bits than it.
         NoSignExtended = "no sign extended",
         /// The real is a number.
         Finite = "finite",
@@ -42,7 +42,7 @@ words! {
         InEveryRange = "in every range",
         /// The duration is a whole number of milliseconds, and the number holds them, exactly or as the nearest real.
         Milliseconds = "milliseconds",
-        /// So it is, and 32 bits with a sign hold them.
+        /// The duration is a whole number of milliseconds that 32 bits with a sign hold.
         ShortMilliseconds = "milliseconds of 32 bits",
         /// The time of day is a whole number of milliseconds that the target holds.
         MillisecondsOfDay = "milliseconds of a day",

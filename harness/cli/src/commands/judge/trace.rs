@@ -180,7 +180,7 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Trace>> {
     Ok(traces)
 }
 
-/// What is wrong with a text, behind its line and column.
+/// A mistake in the text of a trace: its line and column, and what is wrong there.
 type Misreading = ((usize, usize), String);
 
 fn of_json(error: serde_json::Error) -> Misreading {
