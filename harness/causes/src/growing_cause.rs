@@ -173,18 +173,7 @@ impl GrowingCause {
             return;
         }
         if let Some(basis) = promise_of_place(&self.shared, (&shown.program, case), (engine, suite)) {
-            let promised = |got: &[Fact]| {
-                let mut promises = got.iter().filter_map(|fact| match fact {
-                    Fact::NotImplemented { promised_by, .. } => promised_by.as_ref(),
-                    _ => None,
-                });
-                promises
-                    .next()
-                    .map_or(String::new(), |by| format!(", though promised by {by}"))
-            };
-            let former = promised(&shown.got);
             cite(&mut shown.got, basis, &suite.sources);
-            self.cause.title = self.cause.title.replacen(&former, &promised(&shown.got), 1);
             shown.basis = basis.to_owned();
             shown.is_derived = false;
             self.rank = rank(basis, &engine.name, &suite.sources);

@@ -60,11 +60,16 @@ impl Titled<'_, '_> {
                 let line = unimplemented(&self.program, got);
                 let unit = unit_of(&self.program, line).map_or(String::new(), |unit| format!(" in {unit}"));
                 let line = described(&self.program, line);
-                format!("{line}{unit} is {}", clipped(&Fact::text(got)))
+                // Who promises it stands below, and does not decide.
+                let reason = got.iter().find_map(|fact| match fact {
+                    Fact::NotImplemented { reason, .. } => Some(format!(": {}", clipped(reason))),
+                    _ => None,
+                });
+                format!("{line}{unit} is not implemented{}", reason.unwrap_or_default())
             }
             Symptom::OtherCode { code, .. } => {
-                let wrong = summary(code).unwrap_or("of the mistake");
-                format!("{line} is rejected, but not because {wrong} ({code}): {message}")
+                let wrong = summary(code).map_or(String::new(), |wrong| format!(" ({wrong})"));
+                format!("{line} is rejected with {message}, not with {code}{wrong}")
             }
             Symptom::NoPlace(_) => {
                 format!("{line} is rejected without the place of the mistake: {message}")
@@ -227,7 +232,7 @@ impl Titled<'_, '_> {
             return format!("{line}: {mistake} is reported once more, without its place");
         }
         let (line, message) = (self.line(extra.line), said(&extra));
-        format!("{line} is reported although nothing is wrong there: {message}")
+        format!("{line} is reported beside the mistake: {message}")
     }
 
     /// Returns the first expected value that did not come, with the statement that computes it.

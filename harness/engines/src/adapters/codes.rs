@@ -17,7 +17,13 @@ impl CompilerCodes {
     /// Returns the meaning of the code of a diagnostic, where it is not about the program but about the compiler.
     pub(super) fn of_itself(&self, diagnostic: &Diagnostic) -> Option<&CodeMeaning> {
         let meaning = &self.0.get(diagnostic.code.as_ref()?)?.0;
-        (!matches!(meaning, CodeMeaning::Code(_))).then_some(meaning)
+        (!matches!(meaning, CodeMeaning::Code(_) | CodeMeaning::NeverReported)).then_some(meaning)
+    }
+
+    /// Returns the codes of the registry that the compiler documents and never reports.
+    pub(super) fn never_reported(&self) -> impl Iterator<Item = Code> {
+        let never = self.0.iter().filter(|(_, meaning)| meaning.0 == CodeMeaning::NeverReported);
+        never.filter_map(|(code, _)| code.parse().ok())
     }
 
     /// Returns whether one of the codes means the same as this code of the registry.
@@ -95,6 +101,8 @@ pub(super) enum CodeMeaning {
     NotImplemented,
     /// The compiler failed.
     Crashed,
+    /// The compiler documents the code, and has no place that reports it.
+    NeverReported,
 }
 
 impl FromStr for CodeMeaning {
@@ -105,12 +113,32 @@ impl FromStr for CodeMeaning {
             "unsupported" => Ok(CodeMeaning::Unsupported),
             "not-implemented" => Ok(CodeMeaning::NotImplemented),
             "crashed" => Ok(CodeMeaning::Crashed),
+            "never-reported" => Ok(CodeMeaning::NeverReported),
             code => code.parse().map(CodeMeaning::Code).map_err(|_| {
                 format!(
                     "`{text}` is no code of Stickler's; `stickler explain` lists them, and there are `unsupported`, \
-                     `not-implemented` and `crashed`"
+                     `not-implemented`, `crashed` and `never-reported`"
                 )
             }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Compiler;
+    use super::*;
+
+    #[test]
+    fn a_code_that_is_never_reported_is_not_about_the_compiler_itself() {
+        let codes = &Compiler::Ironplc.data().codes;
+        let never: Vec<Code> = codes.never_reported().collect();
+        assert!(never.contains(&Code::Std2013Feature));
+        let reported = |code: &str| Diagnostic {
+            code: Some(code.to_owned()),
+            ..Diagnostic::default()
+        };
+        assert_eq!(codes.of_itself(&reported("P0010")), None);
+        assert_eq!(codes.of_itself(&reported("P9998")), Some(&CodeMeaning::Crashed));
     }
 }

@@ -99,13 +99,14 @@ impl Adapter for Ironplc {
         })
     }
 
-    /// Adds the defined dialects that extend a preset, and the codes that this version does not have.
+    /// Adds the defined dialects that extend a preset, and the codes that this version does not have or never reports.
     fn identify(&self, identity: &mut Identity) {
         let defined = DialectName::defined().into_iter();
         let extends = |dialect: &DialectName| identity.dialects.contains(&dialect.base());
         let defined: Vec<DialectName> = defined.filter(extends).collect();
         identity.dialects.extend(defined);
         identity.lacks = codes::lacking(&self.compiler);
+        identity.lacks.extend(Self::COMPILER.data().codes.never_reported());
     }
 
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
