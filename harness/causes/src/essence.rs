@@ -27,6 +27,9 @@ const UNCHECKED: &str = "unchecked";
 /// The beginning of the symptom of a mistake that is accepted.
 const ACCEPTED: &str = "accepted";
 
+/// The symptom of a mistake in a number that is told without its place.
+const NUMBER_WITHOUT_PLACE: &str = "no place number";
+
 /// The features of a mistake of which the value is computed.
 const COMPUTING: [&str; 2] = ["operator", "conversion function"];
 
@@ -44,6 +47,8 @@ pub(crate) struct Essence {
     /// The symptom and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
     /// wrong reason.
     pub(crate) hidden: Option<(String, BTreeSet<String>)>,
+    /// What decides, in words, where a wrong value or a lost place tells it, whichever program shows it.
+    pub(crate) pattern: Option<&'static str>,
 }
 
 impl Essence {
@@ -111,6 +116,7 @@ impl Essence {
         }
         Essence {
             symptom: named(&symptom),
+            pattern: pattern.or((symptom == NUMBER_WITHOUT_PLACE).then_some("mistake in a number")),
             constructs: features,
             labels,
             is_contained,
@@ -276,8 +282,11 @@ fn needs(
                 Code::BitAccessOutOfRange,
             ];
             let is_of_number = normal.way.is_some() || of_number.iter().any(|one| one.as_str() == code);
-            let what = if is_of_number { "number" } else { code };
-            (format!("no place {what}"), line.partial_accesses(), false)
+            let symptom = match is_of_number {
+                true => NUMBER_WITHOUT_PLACE.to_owned(),
+                false => format!("no place {code}"),
+            };
+            (symptom, line.partial_accesses(), false)
         }
         Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),

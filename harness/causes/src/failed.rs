@@ -6,7 +6,7 @@ use stickler_engines::{Engine, Identity, Reference};
 use stickler_run::{CaseEvent, Event, ExplainedCases, Plan};
 
 /// The maximum number of groups; cases of further kinds are not explained.
-const MAX_GROUPS: usize = 4000;
+const MAX_GROUPS: usize = 12_000;
 
 /// The failing cases of a run, in groups with the same symptom and programs of the same shape.
 ///
@@ -87,7 +87,7 @@ impl<'r> FailedCases<'r> {
             .expected
             .iter()
             .filter_map(|fact| fact.diagnostic()?.registered_code());
-        let strict = self.plan.needed_for(engine, codes);
+        let strict = self.plan.needed_for(engine, &case.basis, codes);
         let sign = Sign::of(program, verdict, (&case.expected, &case.got), strict);
         let shape = sign.shape(program);
         let key = (case.engine.clone(), sign, shape);

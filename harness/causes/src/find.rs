@@ -218,11 +218,11 @@ impl ReducedGroup {
     }
 
     /// Removes the codes from the expected diagnostics where the engine is not asked for them.
-    fn without_codes(mut self, asked: &Questioner<'_>) -> ReducedGroup {
+    fn without_codes(mut self, basis: &str, asked: &Questioner<'_>) -> ReducedGroup {
         for deviation in [&mut self.smallest.deviation, &mut self.normal.deviation] {
             let codes = deviation.expected.iter();
             let codes = codes.filter_map(|fact| fact.diagnostic()?.registered_code());
-            if asked.judge.plan.needed_for(asked.judge.engine, codes) != Grade::Code {
+            if asked.judge.plan.needed_for(asked.judge.engine, basis, codes) != Grade::Code {
                 for fact in &mut deviation.expected {
                     if let Fact::Diagnostic(expected) | Fact::Warning(expected) = fact {
                         expected.code = None;
@@ -348,9 +348,9 @@ impl Asking<'_> {
                     if (self.stop)() {
                         found.end_partly();
                     }
-                    Ok(found.without_codes(asked))
+                    Ok(found.without_codes(&event.basis, asked))
                 }
-                _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(asked)),
+                _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(&event.basis, asked)),
             }
         };
         WorkerPool::new(self.search.plan.jobs).map(shown, open, work)

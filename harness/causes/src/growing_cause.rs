@@ -19,7 +19,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
-use stickler_types::Dialect;
+use stickler_types::{Code, Dialect};
 
 /// A cause while groups are added to it.
 pub(crate) struct GrowingCause {
@@ -118,7 +118,13 @@ impl GrowingCause {
         let basis = told.as_deref().or(promised.as_deref());
         let basis = basis.unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none() && told.is_none();
-        shown.deviation.forget_codes(&engine.lacks);
+        // A code is owed to the page that is about it.
+        let is_of_page = match &shown.deviation.sign.symptom {
+            Symptom::NotRejected(code) => basis.ends_with(code.as_str()),
+            _ => true,
+        };
+        let lacks = if is_of_page { &engine.lacks } else { Code::ALL };
+        shown.deviation.forget_codes(lacks);
         let shown = &shown;
         let mut types = types_of(&shown.program);
         types.sort_unstable();
@@ -126,7 +132,10 @@ impl GrowingCause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
             construct: essence.construct(),
-            title: title(shown, engine.grade == Grade::Code),
+            title: match essence.pattern {
+                Some(pattern) => format!("{pattern}: {}", title(shown, engine.grade == Grade::Code)),
+                None => title(shown, engine.grade == Grade::Code),
+            },
             shown: Reproducer {
                 case: group.shown.id.clone(),
                 dialect: group.shown.dialect.clone(),

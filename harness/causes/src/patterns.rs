@@ -55,6 +55,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             "integer literal with the bits of an LREAL",
         ),
         (wrong.keeps_lreal(), "REAL literal with the bits of an LREAL"),
+        (wrong.keeps_escapes(), "text with its escapes as they are written"),
     ];
     patterns
         .into_iter()
@@ -103,6 +104,20 @@ impl WrongNumber<'_, '_, '_> {
     fn values(&self) -> Option<(&Value, &Value)> {
         let first = wrong_values(&self.deviation.expected, &self.deviation.got).next();
         first.map(|(_, values)| values)
+    }
+
+    /// Returns whether the first wrong value is a text with a `$`, as a literal of the program has it between its quotes.
+    fn keeps_escapes(&self) -> bool {
+        let Some((_, Value::Text { units, .. })) = self.values() else {
+            return false;
+        };
+        let is_written = |literal: &str| {
+            let inside = literal
+                .get(1..literal.len().saturating_sub(1))
+                .unwrap_or_default();
+            inside.contains('$') && inside.encode_utf16().eq(units.iter().copied())
+        };
+        self.program.literals().any(|(_, literal)| is_written(literal))
     }
 
     /// Returns the bits of the first wrong value with its type.

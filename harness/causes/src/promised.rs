@@ -60,7 +60,7 @@ pub(crate) fn promise<'s>(
 
 /// The features of which a wrong value, or the size of a literal that is rejected, tells by its pattern, whatever the case was about. Table 10 has
 /// the range of each type; the types here are those that hold such numbers.
-pub(crate) const OF_PATTERNS: [(&str, &str); 13] = [
+pub(crate) const OF_PATTERNS: [(&str, &str); 14] = [
     (
         "conversion to an integer that does not bring it into its range",
         "conversion",
@@ -83,6 +83,7 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 13] = [
     (TO_LAST_VALUE, "for"),
     ("initial value of a type", "type-initial-value"),
     ("initial value of a field", "field-initial-value"),
+    ("text with its escapes as they are written", "string-escape"),
 ];
 
 /// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells,

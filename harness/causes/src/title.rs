@@ -118,7 +118,10 @@ impl Titled<'_, '_> {
                 let line = self.line_in_unit(Some(suspect::stopping(&self.program)));
                 format!("{line} {}", stops(got))
             }
-            Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
+            Symptom::FaultLine(fault) if matches!(got, [Fact::Fault { line: None, .. }, ..]) => {
+                format!("faults are reported without their lines, such as {fault}")
+            }
+            Symptom::FaultLine(fault) => format!("the fault {fault} is reported with another line"),
             Symptom::NotFaulted(fault) => format!("{somewhere} does not stop with the fault {fault}"),
             Symptom::Text if at == OTHER_BLANKS => "a rendered program has other blanks".to_owned(),
             Symptom::Text => rendered(expected, got),

@@ -22,7 +22,10 @@ impl CompilerCodes {
 
     /// Returns the codes of the registry that the compiler documents and never reports.
     pub(super) fn never_reported(&self) -> impl Iterator<Item = Code> {
-        let never = self.0.iter().filter(|(_, meaning)| meaning.0 == CodeMeaning::NeverReported);
+        let never = self
+            .0
+            .iter()
+            .filter(|(_, meaning)| meaning.0 == CodeMeaning::NeverReported);
         never.filter_map(|(code, _)| code.parse().ok())
     }
 

@@ -106,7 +106,9 @@ impl Adapter for Ironplc {
         let defined: Vec<DialectName> = defined.filter(extends).collect();
         identity.dialects.extend(defined);
         identity.lacks = codes::lacking(&self.compiler);
-        identity.lacks.extend(Self::COMPILER.data().codes.never_reported());
+        identity
+            .lacks
+            .extend(Self::COMPILER.data().codes.never_reported());
     }
 
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {

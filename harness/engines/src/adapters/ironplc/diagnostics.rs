@@ -28,6 +28,11 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
         {
             // The heading is the same for everything that is not implemented; the label tells what it is.
             last.message = format!("{}: {label}", last.message);
+        } else if let (Some((file, line)), Some(last)) = (raised_at(line), diagnostics.last_mut())
+            && codes.of_itself(last) == Some(&CodeMeaning::NotImplemented)
+            && !last.message.contains("#L")
+        {
+            last.message = format!("{} at {file}#L{line}", last.message);
         }
     }
     sorted(diagnostics)
@@ -72,6 +77,13 @@ fn label(line: &str) -> Option<&str> {
         .chars()
         .all(|character| matches!(character, ' ' | '^' | '│' | '╰' | '─'));
     Some(label.trim()).filter(|label| is_marks && !label.is_empty())
+}
+
+/// Returns the place in the compiler's own source that the address of a page names, as in `…/P9999.html?version=0.239.0&file=codegen/src/compile.rs&line=7`.
+fn raised_at(line: &str) -> Option<(&str, &str)> {
+    let (_, address) = line.split_once("= Learn more: ")?;
+    let (_, file) = address.split_once("&file=")?;
+    file.split_once("&line=")
 }
 
 /// Parses a heading such as `error[P4035]: message`.

@@ -292,7 +292,7 @@ impl Readbacks {
                 (None, Some(place)) => characters::escaped(ty).nth(place).map(u16::from),
                 (None, None) => None,
             };
-            let unseen = || ReadbackError::Failed(format!("{path} holds a character that is not seen"));
+            let unseen = || ReadbackError::Unsupported(format!("{path} holds a character that is not seen"));
             units.push(unit.ok_or_else(unseen)?);
         }
         Ok(Value::text(ty, units))

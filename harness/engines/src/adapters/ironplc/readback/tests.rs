@@ -71,7 +71,7 @@ fn a_text_is_spelled_from_the_places_of_its_characters() {
     let dump = dumped(&readbacks, b"\xE9", true);
     assert_eq!(
         seen(&readbacks, &observe[0], &dump),
-        "failed: s holds a character that is not seen"
+        "s holds a character that is not seen"
     );
     let dump = dumped(&readbacks, &[b'x'; 40], true);
     let Err(ReadbackError::Retry(hints)) = readbacks.value(&observe[0], &Dump::read(&dump)) else {
