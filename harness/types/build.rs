@@ -1,7 +1,8 @@
 //! Puts data into the crate: the files of the documented dialects, every `conformance-cases/dialects/*.toml` in the order
-//! of their key `order`, with a constant for the name of each; the pages of the diagnostic codes, every `codes/*.md`; and the choices of dialects, `choices.toml`.
+//! of their key `order`, with a constant for the name of each; the pages of the diagnostic codes, every `codes/*.md`; and the choices of dialects and their options, `choices.toml` and `options.toml`.
 
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -17,9 +18,9 @@ fn main() -> io::Result<()> {
     let codes = pages.iter().map(|(path, page)| code(path, page));
     let codes = codes.collect::<io::Result<String>>()?;
     write("codes.rs", &format!("codes! {{\n{codes}}}\n"))?;
-    println!("cargo::rerun-if-changed=choices.toml");
-    let text = fs::read_to_string("choices.toml")?;
-    let tables: BTreeMap<String, ChoiceTable> = toml::from_str(&text).map_err(io::Error::other)?;
+    let enumerations: BTreeMap<String, Enumeration> = tables("options.toml")?;
+    write("options.rs", &enumerations.iter().map(words).collect::<String>())?;
+    let tables: BTreeMap<String, ChoiceTable> = tables("choices.toml")?;
     for (macro_name, names) in [
         ("language_choices", &["flags", "language", "operators"][..]),
         ("conversion_choices", &["conversions"]),
@@ -33,6 +34,39 @@ fn main() -> io::Result<()> {
         )?;
     }
     Ok(())
+}
+
+/// Reads a file of tables.
+fn tables<T: DeserializeOwned>(file: &str) -> io::Result<T> {
+    println!("cargo::rerun-if-changed={file}");
+    toml::from_str(&fs::read_to_string(file)?).map_err(|error| io::Error::other(format!("{file}: {error}")))
+}
+
+/// An enumeration of `options.toml`: its documentation, and that of each option by its word.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Enumeration {
+    about: String,
+    options: BTreeMap<Spanned<String>, String>,
+}
+
+/// Returns an enumeration as the macro `words` takes it, with the options in the order of the file.
+fn words((name, Enumeration { about, options }): (&String, &Enumeration)) -> String {
+    let option = |(word, about): (&str, &String)| {
+        let parts = word.split('-').map(|part| part[..1].to_uppercase() + &part[1..]);
+        format!("#[doc = {about:?}] {} = {word:?},\n", parts.collect::<String>())
+    };
+    let options: String = in_order(options).map(option).collect();
+    format!("words! {{ #[doc = {about:?}] {name} {{\n{options}}} }}\n")
+}
+
+/// Returns the entries of a table in the order of the file.
+fn in_order<T>(table: &BTreeMap<Spanned<String>, T>) -> impl Iterator<Item = (&str, &T)> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
+        .into_iter()
+        .map(|(key, entry)| (key.get_ref().as_str(), entry))
 }
 
 /// A table of `choices.toml`.
@@ -52,10 +86,7 @@ struct ChoiceEntry {
 
 /// Returns the choices of a table as the macro `choices` takes them, in the order of the file.
 fn choices(table: &str, entries: &ChoiceTable) -> String {
-    let mut entries: Vec<_> = entries.iter().collect();
-    entries.sort_by_key(|(key, _)| key.span().start);
-    let choice = |(key, entry): (&Spanned<String>, &ChoiceEntry)| {
-        let key = key.get_ref();
+    let choice = |(key, entry): (&str, &ChoiceEntry)| {
         let basis = entry.basis.iter().map(|basis| format!("\n\nBasis: {basis}."));
         let about = entry.about.clone() + &basis.collect::<String>();
         let field = entry.field.clone().unwrap_or_else(|| key.replace('-', "_"));
@@ -65,7 +96,7 @@ fn choices(table: &str, entries: &ChoiceTable) -> String {
         let keys = flag.collect::<String>() + &format!("\"{table}.{key}\"");
         format!("    #[doc = {about:?}]\n    {field}: {ty} = {default}, [{keys}];\n")
     };
-    entries.into_iter().map(choice).collect()
+    in_order(entries).map(choice).collect()
 }
 
 /// Returns the paths and texts of the files with an extension in a folder of the crate, by path.

@@ -70,7 +70,7 @@ fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectNa
 
 /// Basis: the headings of the documents.
 fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
-    if dialect.rules().documents.implicit == DocumentedImplicit::Plcnext {
+    if dialect.rules().documents.implicit == DocumentedImplicit::PlcnextTable {
         return Some(format!("implicit-conversion-table: {from} to {to}"));
     }
     if !is_ironplc(dialect) {

@@ -29,7 +29,10 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         return stated.value;
     }
     let document = rules.documents.implicit;
-    if document == DocumentedImplicit::Ironplc && rules.cross_family_widening && is_cross_family(from, to) {
+    if document == DocumentedImplicit::IronplcMatrices
+        && rules.cross_family_widening
+        && is_cross_family(from, to)
+    {
         return MatrixWord::Yes;
     }
     DOCUMENTS[document as usize][from as usize][to as usize]

@@ -1,12 +1,14 @@
 //! The language rules of a dialect: what the sources leave to a system.
 //!
 //! The file of a dialect, `conformance-cases/dialects/NAME.toml` or a table of `stickler.toml`, states those in which it differs
-//! from the [defaults](Dialect::DEFAULT) or from the dialect that it extends. A new choice is one table of `choices.toml`; its
-//! meaning is implemented twice, independently: by the reference and by exact arithmetic.
+//! from the [defaults](Dialect::DEFAULT) or from the dialect that it extends. A new choice is one table of `choices.toml`, and its
+//! options one of `options.toml`; its meaning is implemented twice, independently: by the reference and by exact arithmetic.
 
 use crate::choice::{Choice, choices};
-pub use crate::options::{FreeWords, PartialAccess, TextPositions, ThirdEditionTypes, Widening};
-pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
+pub use crate::options::{
+    ComparedTypes, ConstantTypes, FreeWords, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns,
+    ShiftCounts, TextPositions, ThirdEditionTypes, Widening,
+};
 use crate::{
     ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
 };

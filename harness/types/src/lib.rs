@@ -41,7 +41,6 @@ mod near;
 mod near_value;
 mod numbers;
 mod observed_value;
-pub mod operators;
 mod options;
 pub mod outcome;
 mod question;
@@ -56,10 +55,7 @@ mod words;
 mod wrap;
 mod written_value;
 
-pub use choices::{
-    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ConversionChoices, MatrixWord, MomentText,
-    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
-};
+pub use choices::{ConversionChoices, MatrixWord, RealText};
 pub use code::{Code, UnknownCode};
 pub use contradiction::{Contradiction, PrintedResult, Relation};
 pub use declared_features::DeclaredFeatures;
@@ -76,7 +72,11 @@ pub use literal::LiteralError;
 pub use near::joined;
 pub use numbers::{counted, grouped};
 pub use observed_value::deserialize_expected;
-pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
+pub use options::{
+    BitStringAsBool, BitStringText, BitsAsInteger, BitsAsReal, ComparedTypes, ConstantTypes,
+    ImplicitWarnings, MomentText, MomentUnits, OperandTypes, OutOfRange, ResultSigns, Rounding, ShiftCounts,
+    TextReading,
+};
 pub use outcome::{Acceptance, NamedValue, Outcome};
 pub use question::{ConversionCall, Question, TypePair, UnknownQuestion, is_part};
 pub use random::SplitMix64;

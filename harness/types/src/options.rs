@@ -1,4 +1,4 @@
-//! The options of the choices in which dialects differ, apart from those of conversions and operators.
+//! The options of the choices in which dialects differ: the enumerations of `options.toml`, and what else is chosen.
 
 use crate::ElementaryType;
 use crate::choice::{Choice, choices_of_words, one_of, truth};
@@ -6,46 +6,37 @@ use crate::words::words;
 use std::borrow::Cow;
 use toml::de::DeValue;
 
-words! {
-    /// The pairs of elementary types that convert implicitly.
-    Widening {
-        /// IronPLC's three matrices and its general rule.
-        Ironplc = "ironplc-matrices",
-        /// No pair at all.
-        None = "none",
-        /// The coloured table of PLCnext Engineer's SEM1189.
-        Plcnext = "plcnext-table",
-        /// The paths of the third edition's Figure 12.
-        ThirdEdition = "third-edition",
-        /// Every pair of numbers and bit strings: what narrows is only warned of.
-        Numbers = "numbers",
-        /// Every pair of integers and reals.
-        IntegersAndReals = "integers-and-reals",
-        /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
-        NumbersAndMoments = "numbers-and-moments",
-        /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
-        NumbersUnlessNarrower = "numbers-unless-narrower",
-        /// Every pair of numbers and bit strings; BOOL stands for itself alone.
-        NumbersApartFromBool = "numbers-apart-from-bool",
-        /// Every pair of numbers and bit strings but reals into bit strings; BOOL into all of them, and nothing into BOOL.
-        NumbersButNoRealAsBits = "numbers-but-no-real-as-bits",
-    }
+include!(concat!(env!("OUT_DIR"), "/options.rs"));
+
+choices_of_words! {
+    Rounding: &Rounding::OF_CONVERSIONS,
+    OutOfRange,
+    TextReading,
+    BitStringText,
+    MomentText,
+    BitsAsReal,
+    BitsAsInteger,
+    BitStringAsBool,
+    MomentUnits,
+    Widening,
+    TextPositions,
+    ImplicitWarnings,
+    OperandTypes,
+    ComparedTypes,
+    ResultSigns,
+    ConstantTypes,
+    ShiftCounts,
+    DocumentedImplicit,
+    DocumentedFunctions,
 }
 
-words! {
-    /// The treatment of `.%Xn` and its kin.
-    PartialAccess {
-        /// `.%Xn` selects a bit; the wider forms are P0003.
-        BitsOnly = "bits-only",
-        /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
-        UpToDoubleWords = "up-to-double-words",
-        /// `.%Ln` selects a long word, too; a part may be as wide as its variable, and a wider one is P4025.
-        UpToLongWords = "up-to-long-words",
-        /// P4033 for every form.
-        Disabled = "disabled",
-        /// P0002 for every form.
-        SyntaxError = "syntax-error",
-    }
+impl Rounding {
+    /// The roundings that a dialect may choose for `<REAL>_TO_<INTEGER>`; the others belong to CEIL and FLOOR.
+    pub const OF_CONVERSIONS: [Rounding; 3] = [
+        Rounding::Truncate,
+        Rounding::HalfToEven,
+        Rounding::HalfAwayFromZero,
+    ];
 }
 
 impl Choice for PartialAccess {
@@ -85,42 +76,6 @@ impl PartialAccess {
     }
 }
 
-words! {
-    /// What LEFT, RIGHT, MID, INSERT, DELETE and REPLACE do with a length or a position outside the text.
-    TextPositions {
-        /// What of the characters lies in the text counts, and no others.
-        Clipped = "clipped",
-        /// INSERT and REPLACE leave a text as it is where the position is behind it, and INSERT where it is negative; MID of a position before the text
-        /// gives no character. The rest is as clipped.
-        ///
-        /// Basis: codesys-recording: recordings/codesys.run.json (`string_positions_…`, `str_…`).
-        Kept = "kept",
-        /// A negative length and a position below 1, or of INSERT below 0, give an empty text. The rest is as clipped.
-        ///
-        /// Basis: siemens-manual-2014: 308 and 312.
-        Empty = "empty",
-        /// As `empty`, and so does each length or position of which not all characters lie in the text. A result that is longer than the variable to which
-        /// it is assigned gives an empty text as well, but that of CONCAT leaves the variable as it is; REPLACE by the variable of the result gives one, too.
-        ///
-        /// Basis: plcnext-text: CONCAT, DELETE, MID_WSTRING, REPLACE, RIGHT; plcnext-selection: LIMIT.
-        Whole = "whole",
-    }
-}
-
-words! {
-    /// The types of the third edition that a dialect has.
-    ThirdEditionTypes {
-        /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
-        All = "all",
-        /// All types of the third edition but LDATE, LTOD and LDT.
-        ///
-        /// Basis: twincat-builds: recordings/twincat.build.json (`prim_default_…`, `xp_…`).
-        WithoutLongDates = "without-long-dates",
-        /// None of them.
-        None = "none",
-    }
-}
-
 impl Choice for ThirdEditionTypes {
     fn state(&mut self, key: &str, value: &DeValue<'_>) -> Result<(), String> {
         *self = match key.starts_with("flags.") {
@@ -149,8 +104,6 @@ impl ThirdEditionTypes {
         }
     }
 }
-
-choices_of_words! { Widening, TextPositions, }
 
 /// Words that a dialect does not reserve though others do, in capital letters.
 #[derive(Clone, PartialEq, Eq, Debug)]

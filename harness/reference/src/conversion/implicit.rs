@@ -17,10 +17,10 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
         Some(cell) => cell.value != MatrixWord::No,
         None => match dialect.widening {
             Widening::None => false,
-            Widening::Ironplc => {
+            Widening::IronplcMatrices => {
                 ironplc(from, to) || (dialect.cross_family_widening && bit_string_fits_integer(from, to))
             }
-            Widening::Plcnext => plcnext(from, to),
+            Widening::PlcnextTable => plcnext(from, to),
             Widening::ThirdEdition => third_edition(from, to),
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
