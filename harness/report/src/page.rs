@@ -208,8 +208,6 @@ mod browser_tests;
 #[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
-mod layout_tests;
-#[cfg(test)]
 mod tests;
 #[cfg(test)]
 mod web_driver;

@@ -1,10 +1,11 @@
-//! Tests of the page with nothing but a keyboard: the order of the focus, the link over the head, and the search field.
+//! Tests of the page under control, mostly with nothing but a keyboard: the order of the focus, and the sessions of `golden-page/sessions.toml`.
 //!
 //! The tests need a Chromium and a ChromeDriver; where one is missing, each test says so and checks nothing.
 
 use super::browser_tests::{OPTIONS, browser, write};
-use super::web_driver::{ENTER, TAB, WebDriver};
-use std::iter;
+use super::web_driver::{TAB, WebDriver};
+use serde::Deserialize;
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// The maximum number of times that Tab is pressed in search of an element.
@@ -15,7 +16,7 @@ const FOCUSED: &str = "(() => { const at = document.activeElement; return [[...d
     at.getAttribute('type') || at.id || at.textContent.trim(), at.checkVisibility() && at.getClientRects().length > 0]; })()";
 
 /// Opens the page of a run with failures; `None` where something to open it with is missing.
-pub(super) fn opened() -> Option<(WebDriver, TempDir)> {
+fn opened() -> Option<(WebDriver, TempDir)> {
     let browser = browser()?;
     let folder = tempfile::tempdir().expect("a temporary folder");
     let profile = format!("--user-data-dir={}", folder.path().join("profile").display());
@@ -66,48 +67,52 @@ fn the_focus_goes_through_the_page_from_its_beginning_to_its_end() {
     assert!(place("search") < place("submit"));
 }
 
-#[test]
-fn the_first_link_leads_over_the_head() {
-    let Some((driver, _folder)) = opened() else { return };
-    driver.press([TAB, ENTER]);
-    assert_eq!(driver.value("document.activeElement.id"), "main");
-    driver.press([TAB]);
-    assert_eq!(
-        driver.value("document.activeElement.closest('main') !== null"),
-        true
-    );
+/// What a person does in the browser, and what must come of it: the file `sessions.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Sessions {
+    session: Vec<BrowserSession>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BrowserSession {
+    about: String,
+    step: Vec<Step>,
+}
+
+/// Keys to press after the window was resized or an address was followed, and an expression whose value is this or a text with that in it.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+struct Step {
+    resize: Option<(u32, u32)>,
+    follow: Option<String>,
+    press: String,
+    value: Option<String>,
+    is: Option<Value>,
+    contains: String,
 }
 
 #[test]
-fn what_is_typed_in_the_search_field_is_shown() {
-    let Some((driver, _folder)) = opened() else { return };
-    for (typed, address, place, shown) in [
-        ("real_to_int 2.25", "#REAL_TO_INT?value=2.25", "tr.wanted", "2.25"),
-        (
-            "INT to SINT",
-            "#convert?from=INT&to=SINT",
-            "h3",
-            "Does INT become SINT",
-        ),
-        (
-            "REAL_TO_NOTHING",
-            "#REAL_TO_NOTHING",
-            "p.notice",
-            "a function REAL_TO_NOTHING",
-        ),
-    ] {
-        driver.value("document.querySelector('input[type=search]').select()");
-        driver.press(typed.chars().chain(iter::once(ENTER)));
-        assert_eq!(driver.value("location.hash"), address);
-        assert_eq!(
-            driver.value("document.activeElement.id"),
-            "main",
-            "a keyboard goes on from there"
-        );
-        let text = driver.value(&format!("document.querySelector('#main {place}').innerText"));
-        assert!(
-            text.as_str().is_some_and(|text| text.contains(shown)),
-            "{typed}: {text}"
-        );
+fn sessions_go_as_the_file_says() {
+    let file: Sessions = toml::from_str(include_str!("../../golden-page/sessions.toml")).expect("sessions");
+    for BrowserSession { about, step } in file.session {
+        let Some((driver, _folder)) = opened() else { return };
+        for step in step {
+            step.resize
+                .iter()
+                .for_each(|(width, height)| driver.resize(*width, *height));
+            step.follow.iter().for_each(|address| driver.follow(address));
+            if !step.press.is_empty() {
+                driver.press(step.press.chars());
+            }
+            let value = step.value.as_ref().map(|expression| driver.value(expression));
+            let is_met = match (&value, &step.is) {
+                (Some(_), None) if step.contains.is_empty() => true,
+                (Some(value), None) => value.as_str().is_some_and(|text| text.contains(&step.contains)),
+                (value, is) => value == is,
+            };
+            assert!(is_met, "{about}: {step:?} gives {value:?}");
+        }
     }
 }

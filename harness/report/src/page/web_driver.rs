@@ -13,9 +13,6 @@ const VARIABLE: &str = "STICKLER_CHROMEDRIVER";
 /// The key that moves the focus.
 pub(super) const TAB: char = '\u{e004}';
 
-/// The key that confirms.
-pub(super) const ENTER: char = '\u{e007}';
-
 /// A key that changes nothing.
 const SHIFT: char = '\u{e008}';
 
