@@ -145,7 +145,8 @@ pub(crate) fn is_of_a_value(code: &str) -> bool {
             | Code::InitializerTypeMismatch
             | Code::FunctionCallArgTypeMismatch
             | Code::FunctionCallReturnTypeMismatch
-            | Code::AssignmentTypeMismatch)
+            | Code::AssignmentTypeMismatch
+            | Code::OperatorOperandTypeMismatch)
     )
 }
 

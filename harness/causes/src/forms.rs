@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
+use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{ExpressionKind, Pou, PouKind};
 use stickler_syntax::visitor::{Place, bodies};
@@ -223,12 +224,15 @@ fn without_unused(text: &str) -> String {
 }
 
 /// Returns programs with quite another type in the place of a value that a line gives to something: a text where a number stands, a
-/// duration where a text stands. What the line assigns comes first.
+/// duration where a text stands; or with another type of the variable that takes an output. What the line assigns comes first, and the
+/// operands of operators last.
 pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Vec<String> {
     let places = [
         &[Place::Value][..],
         &[Place::NamedArgument],
         &[Place::InitialValue, Place::Argument, Place::Subscript],
+        &[Place::OutputArgument],
+        &[Place::Right, Place::Left],
     ];
     let here = program
         .parts
@@ -236,10 +240,18 @@ pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Ve
         .filter(|part| program.line(part.expression.span) == line);
     let rank = |place: Place| places.iter().position(|places| places.contains(&place));
     let mut given: Vec<_> = here
-        .filter_map(|part| Some((rank(part.place)?, part.expression.span)))
+        .filter_map(|part| match part.place {
+            Place::OutputArgument => {
+                let taker = program.group(part.name()?)?;
+                Some((rank(part.place)?, taker.specification.span, ["STRING", "TIME"]))
+            }
+            place => Some((rank(place)?, part.expression.span, ["'a'", "T#1s"])),
+        })
         .collect();
-    given.sort_by_key(|(rank, _)| *rank);
-    let others = |(_, span)| ["'a'", "T#1s"].map(|other| Edits::replacing(span, other).apply(program.text));
+    given.sort_by_key(|(rank, ..)| *rank);
+    let others = |(_, span, others): (_, Span, [&str; 2])| {
+        others.map(|other| Edits::replacing(span, other).apply(program.text))
+    };
     given.into_iter().flat_map(others).collect()
 }
 

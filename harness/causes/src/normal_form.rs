@@ -239,22 +239,27 @@ impl NormalSearch<'_, '_> {
     /// the small program, since a place of its own may be checked where that of the small one is not.
     fn unchecked_place(&mut self, smallest: &Smallest) -> Result<(), EngineError> {
         let dialect = self.case.dialect;
-        // A literal that is accepted alone is checked nowhere, whatever its place takes.
-        let is_of_literal = match &self.normal.deviation.sign.symptom {
-            Symptom::NotRejected(code) => matches!(
-                code.parse(),
-                Ok(Code::ConstantOverflow | Code::RealLiteralOutOfRange)
-            ),
-            _ => false,
+        let code: Option<Code> = match &self.normal.deviation.sign.symptom {
+            Symptom::NotRejected(code) => code.parse().ok(),
+            _ => None,
         };
+        // A literal that is accepted alone is checked nowhere, whatever its place takes.
+        let is_of_literal = matches!(code, Some(Code::ConstantOverflow | Code::RealLiteralOutOfRange));
         let is_alone = is_of_literal && self.normal.program != smallest.program;
         let small = (!is_alone).then(|| smallest.program.clone());
         for text in [self.normal.program.clone()].into_iter().chain(small) {
             let other = read(&text, |program| {
                 let line = errors(program.text, dialect).iter().find_map(|error| error.line);
                 let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
-                let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
-                others.into_iter().find(is_mistaken)
+                let codes = |text: &String| {
+                    errors(text, dialect)
+                        .into_iter()
+                        .map(|error| error.registered_code())
+                };
+                // The same mistake says more than another one, which may be checked elsewhere.
+                let same = others.iter().find(|text| codes(text).any(|one| one == code));
+                let other = same.or_else(|| others.iter().find(|text| codes(text).next().is_some()));
+                other.cloned()
             });
             let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
             let other = other.filter(|_| is_asked);
