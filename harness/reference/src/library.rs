@@ -24,10 +24,11 @@ const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
 /// The standard functions and function blocks, and the operators of systems with the form of a call or a type, that are not implemented.
 ///
-/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords; strucpp-tests: st-validation/data_types/time_types.st.
-const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF __COMPARE_AND_SWAP __CURRENTTASK __DELETE __FPOINTER __NEW \
-                               __POOL __POSITION __POUNAME __QUERYINTERFACE __QUERYPOINTER __VARINFO __VECTOR __XADD TIME_TO_NS \
-                               TIME_TO_US";
+/// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords; strucpp-tests: st-validation/data_types/time_types.st;
+/// rusty-lit-tests: tests/lit/single/polymorphism/fnptr; ironplc-repository: compiler/sources/resources/libs.
+const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF __COMPARE_AND_SWAP __CURRENTTASK __DELETE __FPOINTER __MOD \
+                               __NEW __POOL __POSITION __POUNAME __QUERYINTERFACE __QUERYPOINTER __TRUNC __VARINFO __VECTOR __VOID \
+                               __XADD TIME_TO_NS TIME_TO_S TIME_TO_US";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {

@@ -159,11 +159,6 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         declared.is_some_and(|ty| matches!(ty.kind, TypeSpecificationKind::Pointer { .. }))
     }
 
-    /// Returns the number of inputs of a function or function block.
-    fn inputs_of(&self, pou: &str) -> usize {
-        self.inputs.get(&CaseFolded(pou)).copied().unwrap_or_default()
-    }
-
     fn namespaces(&mut self, unit: &SourceUnit<'_>) {
         for declaration in &unit.declarations {
             if let Declaration::Namespace(name) | Declaration::Using(name) = declaration {

@@ -263,6 +263,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
             | ExpressionKind::Binary { .. }
             | ExpressionKind::Assigned { .. }
             | ExpressionKind::Parenthesized(_)
+            | ExpressionKind::Aggregate(_)
             | ExpressionKind::Error => {}
         }
     }

@@ -4,7 +4,7 @@
 
 use crate::names::{DeclaredKind, DeclaredName, declared};
 use crate::namespaces::Namespaces;
-use crate::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, SourceUnit};
+use crate::tree::{CaseFolded, Declaration, ExpressionId, ExpressionKind, Name, SourceUnit};
 use crate::tree::{Prefixed, TypeSpecificationKind, VariableKind, own_instance};
 use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Dialect;
@@ -22,7 +22,8 @@ pub fn resolve_qualifiers<'s>(
     // A text has fewer expressions than 32 bits count.
     let fields: Vec<u32> = (0..unit.expressions.len() as u32).filter(is_field).collect();
     let has_points = dialect.library_namespaces || dialect.values_behind_points;
-    if fields.is_empty() || !has_points && !unit.has_namespaces() {
+    let is_namespace = |one: &Declaration<'_>| matches!(one, Declaration::Namespace(_));
+    if fields.is_empty() || !has_points && !unit.declarations.iter().any(is_namespace) {
         return;
     }
     let known = Known::new(unit);

@@ -264,6 +264,7 @@ pub fn operands(expression: &Expression<'_>) -> Vec<(ExpressionId, Place)> {
         ExpressionKind::Literal(_)
         | ExpressionKind::Name(_)
         | ExpressionKind::EnumeratedValue(_)
+        | ExpressionKind::Aggregate(_)
         | ExpressionKind::Error => Vec::new(),
     }
 }
@@ -470,6 +471,11 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 pou: self.at.pou,
             };
             self.visitor.expression(part, &self.at);
+            if let ExpressionKind::Aggregate(initializer) = &expression.kind {
+                let open = std::mem::take(&mut self.open);
+                self.initializer(initializer);
+                self.open = open;
+            }
             let parts = operands(expression).into_iter().rev();
             self.open
                 .extend(parts.map(|(part, place)| (part, place, Some(id))));

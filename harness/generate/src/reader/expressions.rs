@@ -103,6 +103,7 @@ impl Reader<'_> {
             tree::ExpressionKind::EnumeratedValue(_)
             | tree::ExpressionKind::Part { .. }
             | tree::ExpressionKind::Assigned { .. }
+            | tree::ExpressionKind::Aggregate(_)
             | tree::ExpressionKind::Error => None,
         }
     }

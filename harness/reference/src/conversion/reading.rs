@@ -14,7 +14,11 @@ use stickler_types::{ElementaryType, Family, LiteralError, TextReading, Value, l
 /// Takes time in proportion to the length of the text.
 #[must_use]
 pub fn spelled(units: &[u16], to: ElementaryType, reading: TextReading) -> Option<u64> {
-    let ascii = ascii_beginning(units);
+    // Every literal is ASCII, so another character spoils a text that is read as a whole.
+    let letters = units
+        .iter()
+        .map_while(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii));
+    let ascii: String = letters.map(char::from).collect();
     let whole = ascii.len() == units.len();
     if reading == TextReading::LeadingDigits && to.integer_range().is_some() | to.is_real() {
         return Some(read_digits(ascii.trim_start_matches([' ', '\t']), to));
@@ -67,15 +71,6 @@ fn read_fixed_point(text: &str, to: ElementaryType) -> u64 {
     let number = whole.replace(',', "") + fraction;
     let is_outside = to.is_integer() && !is_in_range(leading_integer(&number), to);
     if is_outside { 0 } else { read_digits(&number, to) }
-}
-
-/// The text up to the first character that is not ASCII. Every literal is ASCII, so such a character spoils a
-/// text that is read as a whole.
-fn ascii_beginning(units: &[u16]) -> String {
-    units
-        .iter()
-        .map_while(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii).map(char::from))
-        .collect()
 }
 
 /// A number or BOOL as [`TextReading::LeadingDigits`] describes it.

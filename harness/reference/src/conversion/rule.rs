@@ -335,7 +335,8 @@ impl Conversion {
     #[must_use]
     pub fn apply_to_text(self, value: u64) -> Vec<u16> {
         match self.rule {
-            ConversionRule::CharacterToText => text::of_character(value, self.to),
+            // A character's raw form has 16 bits at most.
+            ConversionRule::CharacterToText => vec![text::character(value, self.to) as u16],
             ConversionRule::WriteText(reals, bits, moments) => {
                 let text = writing::write(value, self.from, reals, bits, moments);
                 text.bytes().map(u16::from).collect()

@@ -16,13 +16,6 @@ pub fn character(raw: u64, to: ElementaryType) -> u64 {
     }
 }
 
-/// The text that consists of one character.
-#[must_use]
-pub fn of_character(raw: u64, to: ElementaryType) -> Vec<u16> {
-    // A character's raw form has 16 bits at most.
-    vec![character(raw, to) as u16]
-}
-
 /// A text of either width as STRING, where characters may have to be replaced, or as WSTRING.
 #[must_use]
 pub fn between(units: &[u16], to: ElementaryType) -> Vec<u16> {

@@ -87,7 +87,11 @@ pub(super) fn of_plain(called: StandardFunction, of: ElementaryType, operands: &
         (StandardFunction::Shl, &[value, count]) => {
             Ok(shift_count(count, of).map_or(0, |n| narrow(value << n, of)))
         }
-        (StandardFunction::Shr, &[value, count]) if of.is_signed() => Ok(signed_right(value, count, of)),
+        (StandardFunction::Shr, &[value, count]) if of.is_signed() => {
+            // Copies of the sign come in.
+            let steps = shift_count(count, of).unwrap_or(63);
+            Ok((value.cast_signed() >> steps).cast_unsigned())
+        }
         (StandardFunction::Shr, &[value, count]) => Ok(shift_count(count, of).map_or(0, |n| value >> n)),
         (StandardFunction::Rol, &[value, count]) => Ok(rotated_left(value, count.cast_signed(), of)),
         (StandardFunction::Ror, &[value, count]) => Ok(rotated_left(
@@ -186,12 +190,6 @@ fn of_reals(function: RealFunction, values: &[f64]) -> f64 {
 /// The count of a shift where it lies within the width.
 fn shift_count(count: u64, of: ElementaryType) -> Option<u32> {
     u32::try_from(count).ok().filter(|count| *count < of.bits())
-}
-
-/// Shifts an integer with a sign to the right: copies of its sign come in.
-fn signed_right(value: u64, count: u64, of: ElementaryType) -> u64 {
-    let steps = shift_count(count, of).unwrap_or(63);
-    (value.cast_signed() >> steps).cast_unsigned()
 }
 
 /// Bits that leave at one end come in at the other; a negative count turns the other way round.

@@ -45,8 +45,16 @@ impl<'m> Lowering<'m> {
     ) -> Option<BoundArguments> {
         let entry = &self.model.pous[pou as usize];
         let levels = self.model.levels(pou);
-        let parameters = || levels.iter().flat_map(|level| &level.parameters).copied();
-        let needed: usize = levels.iter().map(|level| level.parameters.len()).sum();
+        let parameters = levels.iter().flat_map(|level| &level.positional);
+        let (mut least, mut most) = (0, 0);
+        for level in levels.iter().filter(|level| !level.positional.is_empty()) {
+            least = if level.required > 0 {
+                most + level.required
+            } else {
+                least
+            };
+            most += level.positional.len();
+        }
         let positional: Vec<_> = arguments
             .iter()
             .filter_map(|argument| match argument {
@@ -63,8 +71,8 @@ impl<'m> Lowering<'m> {
         }
         let is_plain = entry.pou.kind == PouKind::Function;
         let by_position = !positional.is_empty() || (is_plain && arguments.is_empty());
-        let (first, more) = positional.split_at(needed.min(positional.len()));
-        if by_position && (first.len() != needed || !more.is_empty() && !entry.takes_more) {
+        let (first, more) = positional.split_at(most.min(positional.len()));
+        if by_position && (first.len() < least || !more.is_empty() && !entry.takes_more) {
             let code = if entry.is_function() {
                 Code::FunctionCallWrongArgCount
             } else {
@@ -72,14 +80,16 @@ impl<'m> Lowering<'m> {
             };
             let name = entry.pou.name.text;
             let message = format!(
-                "`{name}` takes {needed} arguments by position, not {}",
+                "`{name}` takes {most} arguments by position, not {}",
                 positional.len()
             );
             self.refuse(SpannedDiagnostic::new(code, call, message), arguments);
             return None;
         }
         let mut bound = BoundArguments::default();
-        bound.inputs.extend(parameters().zip(first.iter().copied()));
+        for (&parameter, &argument) in parameters.zip(first) {
+            self.bind_one(parameter, argument, false, &mut bound);
+        }
         for &argument in more {
             // What takes more has no body here, so that only what is wrong inside an argument counts.
             let start = self.emitter.position();
@@ -87,8 +97,8 @@ impl<'m> Lowering<'m> {
             self.emitter.truncate(start);
         }
         self.bind_names(entry, arguments, &mut bound);
-        if !by_position {
-            self.find_omitted(&levels, needed, call, &mut bound);
+        if !by_position || self.model.source.dialect.outputs_by_position {
+            self.find_omitted(&levels, call, &mut bound);
         }
         Some(bound)
     }
@@ -115,19 +125,25 @@ impl<'m> Lowering<'m> {
                     negated,
                     target,
                 } => match self.output(entry, *name, &mut given) {
-                    Some(output) if self.model.variable(output).limits > 0 && !negated => {
-                        bound.inputs.push((output, *target));
-                    }
-                    Some(output) => bound.captures.push(Capture {
-                        output,
-                        negated: *negated,
-                        target: *target,
-                    }),
+                    Some(output) => self.bind_one(output, *target, *negated, bound),
                     None => {
                         self.place(*target);
                     }
                 },
             }
+        }
+    }
+
+    /// Binds an argument to a parameter. An output that is an ARRAY[*] is passed as a VAR_IN_OUT is.
+    fn bind_one(&self, output: u32, target: ExpressionId, negated: bool, bound: &mut BoundArguments) {
+        let variable = self.model.variable(output);
+        match variable.section == VariableKind::Output && (variable.limits == 0 || negated) {
+            true => bound.captures.push(Capture {
+                output,
+                negated,
+                target,
+            }),
+            false => bound.inputs.push((output, target)),
         }
     }
 
@@ -174,13 +190,8 @@ impl<'m> Lowering<'m> {
 
     /// Notes whether inputs are left out, and says so of VAR_IN_OUT: of the first only, lest each of many calls
     /// be held against each of many parameters.
-    fn find_omitted(
-        &mut self,
-        levels: &[&PouEntry<'_>],
-        needed: usize,
-        call: Span,
-        bound: &mut BoundArguments,
-    ) {
+    fn find_omitted(&mut self, levels: &[&PouEntry<'_>], call: Span, bound: &mut BoundArguments) {
+        let needed: usize = levels.iter().map(|level| level.parameters.len()).sum();
         if bound.inputs.len() == needed {
             return;
         }

@@ -95,13 +95,6 @@ impl<'m> Lowering<'m> {
         (!is_hidden).then(|| VariablePlace::new(place, self.model.pous[pou as usize].ty))
     }
 
-    fn may_call_programs(&self) -> bool {
-        let is_function = self
-            .entry()
-            .is_some_and(|entry| entry.pou.kind == PouKind::Function);
-        !is_function || self.model.source.dialect.programs_in_functions
-    }
-
     fn block_or_not(&self, ty: TypeId) -> Callee {
         match self.model.types.kind(ty) {
             TypeKind::FunctionBlock(block) => match self.model.pous[block.pou as usize].pou.kind {
@@ -133,10 +126,14 @@ impl<'m> Lowering<'m> {
             Meaning::One(TopLevelName::Pou(pou)) => {
                 return match self.model.pous[pou as usize].pou.kind {
                     PouKind::Function => Callee::Function(pou),
-                    PouKind::Program if self.called_program(name).is_some() => match self.may_call_programs()
-                    {
-                        true => Callee::Block(pou),
-                        false => Callee::Nothing(Code::FunctionCallUndeclared, NO_PROGRAM_IN_FUNCTION),
+                    PouKind::Program if self.called_program(name).is_some() => match self.entry() {
+                        Some(entry)
+                            if entry.pou.kind == PouKind::Function
+                                && !self.model.source.dialect.programs_in_functions =>
+                        {
+                            Callee::Nothing(Code::FunctionCallUndeclared, NO_PROGRAM_IN_FUNCTION)
+                        }
+                        _ => Callee::Block(pou),
                     },
                     PouKind::FunctionBlock | PouKind::Class | PouKind::Interface => Callee::Nothing(
                         Code::FunctionBlockNotInScope,
@@ -200,14 +197,6 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Returns the type with which a function of the text declares its result; `None` where what is called is none, or gives nothing.
-    pub(super) fn declared_result(&mut self, callee: ExpressionId) -> Option<TypeId> {
-        match self.callee(callee) {
-            Callee::Function(pou) | Callee::Method(_, pou) => self.result_type(pou),
-            _ => None,
-        }
-    }
-
     pub(super) fn result_type(&self, pou: u32) -> Option<TypeId> {
         let result = self.model.pous[pou as usize].result?;
         Some(self.model.variable(result).ty)
@@ -260,8 +249,8 @@ impl<'m> Lowering<'m> {
     /// Lowers a call as a statement: what it gives is dropped.
     pub(super) fn call_statement(&mut self, id: ExpressionId) {
         let ExpressionKind::Call { callee, arguments } = &self.expression(id).kind else {
-            self.value(id, None);
-            return;
+            let value = self.value(id, None);
+            return self.drop_value(value);
         };
         let found = self.callee(*callee);
         match self.execution_control(found, arguments) {
@@ -288,14 +277,14 @@ impl<'m> Lowering<'m> {
             }
             _ => {
                 let value = self.call_found((id, callee), found, arguments, None);
-                let text = value.ty.elementary().is_some_and(ElementaryType::is_text);
-                self.emit(if text {
-                    Instruction::DropText
-                } else {
-                    Instruction::Drop
-                });
+                self.drop_value(value);
             }
         }
+    }
+
+    fn drop_value(&mut self, value: LoweredValue) {
+        let text = value.ty.elementary().is_some_and(ElementaryType::is_text);
+        self.emit([Instruction::Drop, Instruction::DropText][usize::from(text)]);
     }
 
     fn refuse_callee(
@@ -315,7 +304,10 @@ impl<'m> Lowering<'m> {
             _ => String::new(),
         };
         self.report(code, self.span(callee), format!("`{name}` {reason}{hint}"));
-        self.lower_arguments(arguments);
+        // What is not implemented may take types as arguments: `__NEW(INT, 10)`.
+        if code != Code::NotImplemented {
+            self.lower_arguments(arguments);
+        }
         LoweredValue::ERROR
     }
 

@@ -76,7 +76,10 @@ impl Lowering<'_> {
         let rules = self.rules();
         match rules.signature(operator, left, right) {
             OperatorSignature::Untyped(inferred) => {
-                let wanted = wanted.filter(|ty| !self.computes_whole(inferred, *ty));
+                let is_real = |ty: &TypeId| ty.elementary().is_some_and(ElementaryType::is_real);
+                let is_whole = self.model.source.dialect.operands == OperandTypes::Promoted
+                    && matches!(inferred, Inferred::Integer(_));
+                let wanted = wanted.filter(|ty| !(is_whole && is_real(ty)));
                 let operation = settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty));
                 operation.map_or(OperatorSignature::Undefined, OperatorSignature::Defined)
             }
@@ -88,13 +91,6 @@ impl Lowering<'_> {
     pub(super) fn undefined(&self, name: &str, (left, right): (Inferred, Inferred)) -> String {
         let (left, right) = (self.describe(left), self.describe(right));
         format!("`{name}` is not defined for {left} and {right}")
-    }
-
-    /// Returns whether an operation on untyped integers is one on integers, though a real is wanted of it.
-    fn computes_whole(&self, inferred: Inferred, wanted: TypeId) -> bool {
-        self.model.source.dialect.operands == OperandTypes::Promoted
-            && matches!(inferred, Inferred::Integer(_))
-            && wanted.elementary().is_some_and(ElementaryType::is_real)
     }
 
     /// Lowers the right operand and the operator, the left operand being on the stack.

@@ -93,7 +93,10 @@ impl<'m> Lowering<'m> {
         };
         match self.fold(&parts, |lowering| lowering.value(id, None)) {
             Constant::Known(value) => value.number().or_else(|| self.no_number(no_integer(span))),
-            Constant::Computed => self.no_number(not_folded(span)),
+            Constant::Computed => {
+                let message = "in a constant expression operators compute with integers only, which must fit their types";
+                self.no_number(SpannedDiagnostic::new(Code::VariableMustBeConst, span, message))
+            }
             _ => None,
         }
     }
@@ -221,11 +224,6 @@ const fn is_computed(code: Code) -> bool {
 
 fn not_constant(span: Span) -> SpannedDiagnostic {
     let message = "only literals, constants, operators and conversion functions may stand here";
-    SpannedDiagnostic::new(Code::VariableMustBeConst, span, message)
-}
-
-fn not_folded(span: Span) -> SpannedDiagnostic {
-    let message = "in a constant expression operators compute with integers only, which must fit their types";
     SpannedDiagnostic::new(Code::VariableMustBeConst, span, message)
 }
 

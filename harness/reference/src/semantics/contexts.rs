@@ -49,15 +49,6 @@ impl ValueContext {
             ValueContext::Operand => Code::OperatorOperandTypeMismatch,
         }
     }
-
-    /// Returns whether an untyped integer literal is a bit string here.
-    ///
-    /// Basis: rule: literal-as-operand (an initializer always takes one; a parameter and the target of an assignment
-    /// by dialect). An operand takes the other's type in every dialect.
-    fn takes_integer_as_bits(self, dialect: &Dialect) -> bool {
-        use ValueContext::{CommonArgument, Initializer, Operand};
-        dialect.integer_literal_as_bit_string || matches!(self, Initializer | Operand | CommonArgument)
-    }
 }
 
 /// The answer to whether a value fits.
@@ -109,7 +100,11 @@ pub(super) fn fit(
             _ => false,
         },
         Inferred::Integer(_) => elementary.is_some_and(|ty| integer_fits(ty, context, dialect)),
-        Inferred::Real => elementary.is_some_and(|ty| real_fits(ty, context, dialect)),
+        Inferred::Real => elementary.is_some_and(|ty| {
+            // An operand's type is that of the other one, and a real literal is no integer there.
+            let is_operand = matches!(context, ValueContext::Operand | ValueContext::CommonArgument);
+            ty.is_real() || (dialect.real_literal_as_integer && ty.is_integer() && !is_operand)
+        }),
         Inferred::Text { wide, single } => match elementary {
             Some(ElementaryType::String) => !wide,
             Some(ElementaryType::Wstring) => wide,
@@ -137,20 +132,16 @@ pub(super) fn elementary_value(ty: TypeId, types: &TypeTable, dialect: &Dialect)
 }
 
 /// Returns whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at
-/// when the literal is read.
+/// when the literal is read. Whether it may be a bit string is up to the dialect but for initial values and operands.
+///
+/// Basis: rule: literal-as-operand.
 fn integer_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) -> bool {
+    use ValueContext::{CommonArgument, Initializer, Operand};
     if ty.is_real() {
         dialect.integer_literal_as_real
     } else if ty.is_bit_string() {
-        context.takes_integer_as_bits(dialect)
+        dialect.integer_literal_as_bit_string || matches!(context, Initializer | Operand | CommonArgument)
     } else {
         ty.is_integer() || ty == ElementaryType::Bool
     }
-}
-
-/// Returns whether an untyped real literal may stand for a value of a type. An operand's type is that of the other one, and a real literal is no
-/// integer there.
-fn real_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) -> bool {
-    let is_operand = matches!(context, ValueContext::Operand | ValueContext::CommonArgument);
-    ty.is_real() || (dialect.real_literal_as_integer && ty.is_integer() && !is_operand)
 }

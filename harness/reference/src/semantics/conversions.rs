@@ -5,6 +5,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::literals::untyped_integer;
 use super::lowering::{LoweredValue, Lowering};
+use super::misfit::misfit_of_any;
 use super::parameters::{ParameterList, single_argument};
 use super::trace::UseKind;
 use super::types::TypeId;
@@ -143,7 +144,9 @@ impl Lowering<'_> {
                     self.report_misfit(argument, inferred, TypeId::of(ty), ValueContext::Argument);
                 }
                 Parameter::AnyOf { allowed, default } => {
-                    self.report_misfit_of_any(argument, inferred, allowed, default);
+                    let message = misfit_of_any(&self.model.types, inferred, allowed);
+                    let (to, context) = (TypeId::of(default), ValueContext::Argument);
+                    self.report_misfit_as(argument, inferred, to, context, message);
                 }
             }
         }

@@ -179,6 +179,8 @@ impl<'u> Declarer<'u, '_> {
             enumerated: Scope::default(),
             result: None,
             parameters: Vec::new(),
+            positional: Vec::new(),
+            required: 0,
             takes_more: false,
             ty: TypeId::ERROR,
             body,

@@ -1,5 +1,6 @@
 //! User-defined names of elementary types, and subranges of them: where a dialect converts them to no other type.
 
+use super::calls::Callee;
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
@@ -65,7 +66,10 @@ impl<'m> Lowering<'m> {
                 _ => None,
             },
             ExpressionKind::Dereference { base } => self.target_type(base),
-            ExpressionKind::Call { callee, .. } => self.declared_result(callee),
+            ExpressionKind::Call { callee, .. } => match self.callee(callee) {
+                Callee::Function(pou) | Callee::Method(_, pou) => self.result_type(pou),
+                _ => None,
+            },
             _ => None,
         }
     }
@@ -97,6 +101,20 @@ impl<'m> Lowering<'m> {
         let is_own = types.element(ty, name).is_none()
             || matches!(self.expression(base).kind, ExpressionKind::Name(name) if self.called_program(name).is_some());
         (is_own && member.kind == VariableKind::Local).then_some(member)
+    }
+
+    /// Returns whether only the code of a function block or program may write a variable of it: an output, or one that others read.
+    ///
+    /// Basis: iec-61131-3: 2.5.2.1, Table 32 of the second edition; rusty-tests: src/validation/tests/variable_validation_tests.rs (E037).
+    pub(super) fn is_closed(&mut self, base: ExpressionId, name: &str) -> bool {
+        let Some(ty) = self.known_type(base) else {
+            return false;
+        };
+        let is_writable = self.model.source.dialect.locals_writable;
+        let local = self.readable_local(base, ty, name).filter(|_| !is_writable);
+        let member = self.model.types.member(ty, name);
+        let closed = local.or(member.filter(|member| member.kind == VariableKind::Output));
+        closed.is_some_and(|member| !member.constant) && self.own_instance_of(base).is_none()
     }
 
     /// Returns the type of an expression that has one by itself.

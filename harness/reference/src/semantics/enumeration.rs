@@ -4,7 +4,7 @@ use super::declare::Declarer;
 use super::model::EnumeratedName;
 use super::scope::NamedList;
 use super::types::{DefaultValue, Enumeration, Extent, TypeId, TypeKind};
-use stickler_syntax::tree::{CaseFolded, ExpressionId, Name};
+use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {
@@ -16,11 +16,16 @@ impl<'u> Declarer<'u, '_> {
         name: &str,
     ) -> TypeId {
         let range = self.range_of(base);
+        let bits = base.and_then(|base| self.model.source.dialect.elementary(base.text));
+        let bits = bits.filter(|ty| ty.is_bit_string());
         let mut list = NamedList::new();
         let mut numbers = Vec::with_capacity(values.len());
         let mut next = Some(0_i128);
         for (value, written) in values {
-            let number = written.map_or(next, |id| self.constant(id));
+            let number = written.map_or(next, |id| {
+                bits.and_then(|bits| self.bits_of(id, bits))
+                    .or_else(|| self.constant(id))
+            });
             next = number.map(|number| number.saturating_add(1));
             let number = number.unwrap_or(0);
             if number < range.0 || number > range.1 {
@@ -56,6 +61,18 @@ impl<'u> Declarer<'u, '_> {
             self.enter(value, id, number);
         }
         id
+    }
+
+    /// Returns the number of a literal of the bit string that is the base of an enumeration: `BYTE#16#1E`.
+    ///
+    /// Basis: iec-61131-3: 6.4.4.3 of the third edition.
+    fn bits_of(&self, id: ExpressionId, base: ElementaryType) -> Option<i128> {
+        let ExpressionKind::Literal(literal) = &self.model.source.expression(id).kind else {
+            return None;
+        };
+        let ty = ElementaryType::from_name(literal.prefix()?.text);
+        let number = stickler_types::literal::integer(literal.text());
+        number.ok().filter(|_| ty == Some(base))
     }
 
     /// The range that the numbers must lie in: that of the base type, or of LINT.

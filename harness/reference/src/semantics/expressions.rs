@@ -22,8 +22,13 @@ impl<'m> Lowering<'m> {
     /// Puts a value on the stack where a declared type is expected: checks that it may stand there, converts
     /// it, and checks the limits of a subrange.
     pub(super) fn coerce(&mut self, id: ExpressionId, target: TypeId, context: ValueContext) -> LoweredValue {
-        if self.model.types.named_type(target) != target {
+        let is_own = self.model.source.dialect.references_are_pointers && self.own_instance_of(id).is_some();
+        let is_bound = is_own && self.model.types.pointer(target).is_some();
+        if self.model.types.named_type(target) != target || is_bound {
             return self.bind_reference(id, target);
+        }
+        if let ExpressionKind::Aggregate(list) = &self.expression(id).kind {
+            return self.aggregate(list, target);
         }
         let to = self.model.types.value_type(target);
         let inferred = self.infer(id);
@@ -202,6 +207,7 @@ impl<'m> Lowering<'m> {
                 value
             }
             ExpressionKind::Parenthesized(inner) => self.value(*inner, wanted),
+            ExpressionKind::Aggregate(list) => self.aggregate(list, TypeId::ERROR),
             ExpressionKind::Error => LoweredValue::ERROR,
         }
     }
@@ -358,7 +364,8 @@ impl<'m> Lowering<'m> {
             self.report(Code::OperatorOperandTypeMismatch, span, message);
             return LoweredValue::ERROR;
         };
-        self.warn_of_operand(operator, operand, ty);
+        let result = prefixed(operator, ty, dialect);
+        self.warn_of_lost_value(operand, TypeId::of(ty), TypeId::of(result));
         let (value, ty) = self.promoted_operand(operator, value, ty);
         match operator {
             UnaryOperator::Plus => return value,

@@ -16,7 +16,8 @@ impl<'u> Declarer<'u, '_> {
         for block in self.global_blocks.clone() {
             for group in &block.groups {
                 let value = if block.constant {
-                    self.global_constant(group)
+                    let ty = self.written(&group.specification);
+                    self.constant_of_type(group, ty)
                 } else {
                     Constant::Variable
                 };
@@ -82,14 +83,6 @@ impl<'u> Declarer<'u, '_> {
             }
         }
         self.current = None;
-    }
-
-    /// Returns what the name of a VAR_EXTERNAL means in constant expressions.
-    pub(super) fn external_constant(&self, name: Name<'_>) -> Constant {
-        match self.model.globals.get(&CaseFolded(name.text)) {
-            Some(&global) => self.model.variable(global).value.clone(),
-            None => Constant::Unknown,
-        }
     }
 
     fn resolve_external(&mut self, index: usize) {

@@ -60,6 +60,7 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Parenthesized(inner) | ExpressionKind::Assigned { target: inner, .. } => {
                 self.infer(*inner)
             }
+            ExpressionKind::Aggregate(_) => Inferred::Nothing,
             ExpressionKind::Binary { .. } | ExpressionKind::Error => Inferred::Error,
         }
     }

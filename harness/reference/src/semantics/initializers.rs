@@ -4,7 +4,7 @@
 
 use super::contexts::ValueContext;
 use super::locations::{Location, VariablePlace};
-use super::lowering::Lowering;
+use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, DefaultInitialValue};
 use super::types::{DefaultValue, TypeId, TypeKind, TypeMember};
 use crate::instruction::{Instruction, RoutineId};
@@ -66,6 +66,15 @@ impl<'m> Lowering<'m> {
                 self.lower_initializer(initializer);
             }
         }
+    }
+
+    /// Puts a list of elements or fields on the stack, as a value of a type.
+    pub(super) fn aggregate(&mut self, list: &'m Initializer<'m>, ty: TypeId) -> LoweredValue {
+        let cell = self.temporary_of(ty, list.span);
+        let place = VariablePlace::new(Location::Absolute(cell), ty);
+        self.clear(place.location, self.model.types.extent(ty).size);
+        self.initialize(place.location, ty, Some(list));
+        self.load(place)
     }
 
     /// Gives what lies somewhere the default of its type.

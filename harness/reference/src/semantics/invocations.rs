@@ -168,7 +168,8 @@ impl<'m> Lowering<'m> {
         let place = self.whole_place(argument, code, what)?;
         let types = &self.model.types;
         let same = types.is_same_variable(place.ty, ty)
-            || self.is_derived_block(place.ty, ty)
+            || matches!(types.kind(ty), TypeKind::FunctionBlock(_))
+                && types.derives(place.ty, types.root(ty))
             || types.fits_variable_length(place.ty, ty);
         if !same && ty != TypeId::ERROR {
             let (needed, given) = (types.name(ty), types.name(place.ty));
@@ -182,12 +183,6 @@ impl<'m> Lowering<'m> {
         let place = self.located(place);
         self.push_address(place.location);
         same.then_some(place)
-    }
-
-    /// Returns whether a type is that of a function block or class, and another one extends it.
-    fn is_derived_block(&self, ty: TypeId, base: TypeId) -> bool {
-        let types = &self.model.types;
-        matches!(types.kind(base), TypeKind::FunctionBlock(_)) && types.derives(ty, types.root(base))
     }
 
     /// Copies outputs to their targets: first all are read, then all are written, the last one first.
@@ -266,15 +261,17 @@ impl<'m> Lowering<'m> {
 
     /// Says that a constant cannot be written.
     pub(super) fn refuse_constant(&mut self, target: ExpressionId) {
+        use ExpressionKind::{Bit, Field, Index};
         let text = self.model.source.text_of(target);
-        if let ExpressionKind::Field { base, field } = self.expression(target).kind
-            && let Some(ty) = self.known_type(base)
-            && self
-                .readable_local(base, ty, field.text)
-                .is_some_and(|local| !local.constant)
-        {
-            let message = format!("`{text}` is no input: only the code of its block may write it");
-            return self.report(Code::MemberNotAccessible, self.span(target), message);
+        let mut part = target;
+        while let Field { base, .. } | Index { base, .. } | Bit { base, .. } = self.expression(part).kind {
+            if let Field { field, .. } = self.expression(part).kind
+                && self.is_closed(base, field.text)
+            {
+                let message = format!("`{text}` is no input: only the code of its block may write it");
+                return self.report(Code::MemberNotAccessible, self.span(target), message);
+            }
+            part = base;
         }
         let message = format!("`{text}` is a CONSTANT");
         self.report(Code::AssignmentToConstant, self.span(target), message);

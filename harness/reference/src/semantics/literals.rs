@@ -167,12 +167,6 @@ fn counts(ty: ElementaryType) -> bool {
     )
 }
 
-/// Returns whether a number is one with the bits of an integer or bit string, whatever its sign.
-fn fits_width(value: i128, ty: ElementaryType) -> bool {
-    let (low, high) = (-(1_i128 << (ty.bits() - 1)), (1_i128 << ty.bits()) - 1);
-    ty != ElementaryType::Bool && (low..=high).contains(&value)
-}
-
 fn integer_literal(
     signed: Signed<'_>,
     ty: ElementaryType,
@@ -191,7 +185,10 @@ fn integer_literal(
     };
     let value = value.map_err(|error| misread(signed, ty, text, error))?;
     let (low, high) = ty.integer_range().unwrap_or((0, 0));
-    let has_its_bits = by_width && literal.prefix().is_none() && fits_width(value, ty);
+    // A number with the bits of the type, whatever its sign.
+    let of_width = -(1_i128 << (ty.bits() - 1))..1_i128 << ty.bits();
+    let has_its_bits =
+        by_width && literal.prefix().is_none() && ty != ElementaryType::Bool && of_width.contains(&value);
     if (low..=high).contains(&value) || has_its_bits {
         return Ok(ty.wrap(value));
     }

@@ -5,7 +5,7 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::literals::{real, untyped_integer};
 use super::lowering::{LoweredValue, Lowering};
-use super::promotion::{integer_of, prefixed};
+use super::promotion::integer_of;
 use super::types::TypeId;
 use crate::conversion::{implicit_warning, literal_warning};
 use stickler_syntax::tree::{
@@ -75,17 +75,6 @@ impl Lowering<'_> {
                 self.warn_of_lost_value(id, TypeId::of(from), TypeId::of(common));
             }
         }
-    }
-
-    /// Warns of the operand of a prefix operator whose sign may change.
-    pub(super) fn warn_of_operand(
-        &mut self,
-        operator: UnaryOperator,
-        operand: ExpressionId,
-        ty: ElementaryType,
-    ) {
-        let result = prefixed(operator, ty, self.model.source.dialect);
-        self.warn_of_lost_value(operand, TypeId::of(ty), TypeId::of(result));
     }
 
     /// Returns what an operand is beside another one: a literal that the other's type does not hold is of the unsigned type of that width.

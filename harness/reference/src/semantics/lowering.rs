@@ -161,7 +161,10 @@ impl<'m> Lowering<'m> {
         let index = local.or_else(|| self.model.globals.get(&CaseFolded(name)).copied())?;
         let variable = &self.model.variables[index as usize];
         let external = variable.kind == VariableKind::External;
-        let later = limited && index >= self.visible && !external;
+        let later = limited
+            && index >= self.visible
+            && !external
+            && !self.model.source.dialect.initial_values_name_all;
         let away = self.constants_only && local.is_some() && !external && !variable.value.is_known();
         (!later && !away).then_some((index, variable))
     }

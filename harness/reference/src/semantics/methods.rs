@@ -91,12 +91,6 @@ impl<'m> Lowering<'m> {
         Some(self.model.variable(index)).filter(|variable| variable.kind == VariableKind::InOut)
     }
 
-    /// The place of the instance whose code is running.
-    pub(super) fn own_place(&self, own: OwnInstance) -> Option<VariablePlace> {
-        let ty = self.model.pous[own.pou as usize].ty;
-        (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Instance(0), ty))
-    }
-
     /// Finds the method or property that an expression names.
     pub(super) fn used_member(&mut self, id: ExpressionId) -> Option<UsedMember> {
         if !self.model.has_members {
@@ -117,7 +111,11 @@ impl<'m> Lowering<'m> {
                     return Some(UsedMember { receiver, member });
                 }
                 let ty = self.known_type(base)?;
-                let member = self.model.member(self.model.types.object(ty)?.pou, field.text)?;
+                let types = &self.model.types;
+                // The type of a program is a structure.
+                let owner = types.object(ty).or_else(|| types.structure(ty));
+                let pou = owner.map(|owner| owner.pou).filter(|&pou| pou != u32::MAX)?;
+                let member = self.model.member(pou, field.text)?;
                 let receiver = Receiver::Instance(base);
                 let hides = self.model.types.element(ty, field.text).is_some();
                 (!hides).then_some(UsedMember { receiver, member })

@@ -12,7 +12,7 @@ pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
         Inferred::Integer(_) => "an integer literal".to_owned(),
         Inferred::Real => "a real literal".to_owned(),
         Inferred::Text { .. } => "a text literal".to_owned(),
-        Inferred::Nothing => "a call without a result".to_owned(),
+        Inferred::Nothing => "what has no value by itself".to_owned(),
         Inferred::Enumerated => "an enumerated value".to_owned(),
         Inferred::Pending | Inferred::Error => "an error".to_owned(),
     }

@@ -109,8 +109,12 @@ pub(super) struct PouEntry<'u> {
     pub(super) enumerated: Scope<'u, EnumeratedName>,
     /// The variable that holds a function's result.
     pub(super) result: Option<u32>,
-    /// The parameters that a call gives by position: VAR_INPUT and VAR_IN_OUT in order.
+    /// VAR_INPUT and VAR_IN_OUT in order.
     pub(super) parameters: Vec<u32>,
+    /// The parameters that a call gives by position: the same, and in some dialects VAR_OUTPUT among them.
+    pub(super) positional: Vec<u32>,
+    /// The number of those that a call by position must give.
+    pub(super) required: usize,
     /// Whether a call may give more arguments by position than these: `args : ...`.
     pub(super) takes_more: bool,
     /// The type of a function block or program, whose members its variables are.

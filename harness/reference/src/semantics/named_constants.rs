@@ -15,7 +15,7 @@ use stickler_types::ElementaryType;
 
 /// The type of a constant, as far as it matters to its value.
 #[derive(Clone, Copy)]
-enum ConstantType {
+pub(super) enum ConstantType {
     /// An elementary type; a text takes so many code units.
     Elementary(ElementaryType, u32),
     /// A type whose constants have no elementary value.
@@ -25,12 +25,6 @@ enum ConstantType {
 }
 
 impl<'u> Declarer<'u, '_> {
-    /// Returns what a global constant means before types are resolved.
-    pub(super) fn global_constant(&mut self, group: &'u VariableGroup<'u>) -> Constant {
-        let ty = self.written(&group.specification);
-        self.constant_of_type(group, ty)
-    }
-
     /// Returns what a constant of a resolved type means.
     pub(super) fn local_constant(&mut self, group: &'u VariableGroup<'u>, ty: TypeId) -> Constant {
         let ty = match *self.model.types.kind(ty) {
@@ -43,7 +37,7 @@ impl<'u> Declarer<'u, '_> {
         self.constant_of_type(group, ty)
     }
 
-    fn constant_of_type(&mut self, group: &'u VariableGroup<'u>, ty: ConstantType) -> Constant {
+    pub(super) fn constant_of_type(&mut self, group: &'u VariableGroup<'u>, ty: ConstantType) -> Constant {
         let Some(initializer) = &group.initializer else {
             let silent = self.says_initial_value(group);
             return if silent {
@@ -89,7 +83,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     /// Returns what a written type comes down to, also before types are resolved.
-    fn written(&mut self, specification: &'u TypeSpecification<'u>) -> ConstantType {
+    pub(super) fn written(&mut self, specification: &'u TypeSpecification<'u>) -> ConstantType {
         /// No chain of names is longer than types may nest; one that is goes in a circle.
         const MAX_CHAIN: u32 = 200;
         let mut kind = &specification.kind;

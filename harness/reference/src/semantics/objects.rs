@@ -174,7 +174,8 @@ impl<'u> Declarer<'u, '_> {
         let parents = entry.interfaces.iter().chain(&entry.base);
         let parents: Vec<TypeId> = parents.map(|&other| self.model.pous[other as usize].ty).collect();
         if !parents.is_empty() {
-            self.model.types.set_parents(self.model.pous[index].ty, parents);
+            let ty = self.model.pous[index].ty;
+            self.model.types.parents.insert(ty, parents);
         }
     }
 

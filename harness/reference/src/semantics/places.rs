@@ -65,6 +65,7 @@ impl<'m> Lowering<'m> {
                 self.part(*base, ElementaryType::Bool, *index, expression.span)
             }
             ExpressionKind::Part { base, part, index } => self.part(*base, *part, *index, expression.span),
+            ExpressionKind::Call { .. } if self.names_a_place(id) => self.result_place(id),
             ExpressionKind::Error => None,
             _ => {
                 self.refuse_value(id, Code::SyntaxError, "a variable is needed here");
@@ -73,12 +74,26 @@ impl<'m> Lowering<'m> {
         }
     }
 
+    /// The place of what a call gives, of which a copy is kept.
+    fn result_place(&mut self, id: ExpressionId) -> Option<VariablePlace> {
+        let declared = self.declared_type_of(id);
+        let value = self.value(id, None);
+        let (ty, span) = (declared.unwrap_or(value.ty), self.span(id));
+        let place = VariablePlace {
+            constant: true,
+            ..VariablePlace::new(Location::Absolute(self.temporary_of(ty, span)), ty)
+        };
+        self.store(place, span);
+        (value.ty != TypeId::ERROR).then_some(place)
+    }
+
     fn named_place(&mut self, id: ExpressionId, name: Name<'m>) -> Option<VariablePlace> {
         if let Some((_, variable)) = self.variable(name.text) {
             return (variable.ty != TypeId::ERROR).then(|| VariablePlace::of(variable));
         }
         if let Some(own) = self.own_instance_of(id) {
-            return self.own_place(own);
+            let ty = self.model.pous[own.pou as usize].ty;
+            return (ty != TypeId::ERROR).then_some(VariablePlace::new(Location::Instance(0), ty));
         }
         if let Some(program) = self.called_program(name) {
             return Some(program);
@@ -110,9 +125,7 @@ impl<'m> Lowering<'m> {
         };
         let place = self.entered(place);
         let location = self.member_location(place, member);
-        let is_local = self.own_instance_of(base).is_none()
-            && self.readable_local(base, place.content(), field.text).is_some();
-        let constant = place.constant || member.constant || is_local;
+        let constant = place.constant || member.constant || self.is_closed(base, field.text);
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             constant,
             overlaid: place.overlaid,
@@ -371,12 +384,12 @@ impl<'m> Lowering<'m> {
 
     /// Returns whether an expression has the form of a variable.
     pub(super) fn names_a_place(&self, id: ExpressionId) -> bool {
-        use ExpressionKind::{Bit, Dereference, Field, Index, Name, Part};
-        let kind = &self.expression(id).kind;
-        matches!(
-            kind,
-            Name(_) | Field { .. } | Index { .. } | Dereference { .. } | Bit { .. } | Part { .. }
-        )
+        use ExpressionKind::{Bit, Call, Dereference, Field, Index, Name, Part};
+        match self.expression(id).kind {
+            Call { .. } => self.model.source.dialect.results_are_variables,
+            Name(_) | Field { .. } | Index { .. } | Dereference { .. } | Bit { .. } | Part { .. } => true,
+            _ => false,
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! ironplc-problem-codes: P2028 to P2036.
 
 use super::declare::Declarer;
-use super::types::{TypeId, TypeTable};
+use super::types::{Extent, PointerType, TypeId, TypeKind, TypeTable};
 use crate::conversion::implicit;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{PointerForm, TypeSpecification};
@@ -30,7 +30,11 @@ impl<'u> Declarer<'u, '_> {
             PointerForm::RefTo if self.model.source.dialect.references_are_pointers => PointerForm::PointerTo,
             form => form,
         };
-        let ty = self.model.types.add_pointer(form);
+        let kind = TypeKind::Pointer(PointerType {
+            form,
+            target: TypeId::ERROR,
+        });
+        let ty = self.model.types.add(kind, Extent::PLAIN);
         let pou = self.current;
         let pending = PendingPointer {
             ty,

@@ -222,7 +222,10 @@ impl<'m> Lowering<'m> {
             self.emit(Instruction::Push(0));
             return LoweredValue::computed(target);
         }
-        let Some(ty) = self.push_address_of(id) else {
+        let named = self
+            .address_operand(id)
+            .filter(|_| self.model.source.dialect.references_are_pointers);
+        let Some(ty) = self.push_address_of(named.unwrap_or(self.model.source.bare(id))) else {
             return LoweredValue::ERROR;
         };
         let types = &self.model.types;

@@ -210,13 +210,15 @@ impl<'m> Lowering<'m> {
                 }
                 StandardInput::Integer => {
                     self.integer_argument(value);
-                    if of == GenericType::String {
-                        self.bound_count(value);
+                    let is_long = self.infer(value).elementary() == Some(ElementaryType::Ulint);
+                    if of == GenericType::String && is_long {
+                        self.bound(i64::MAX.cast_unsigned());
                     }
                 }
                 StandardInput::Common if value == common[0] => {
-                    if function == StandardFunction::Mux {
-                        self.bound_selector(common.len());
+                    if function == StandardFunction::Mux && self.model.source.dialect.mux_outside_takes_last {
+                        // A negative selector counts as larger than all.
+                        self.bound(common.len() as u64 - 1);
                     }
                     ty = self.common_arguments((function, of), &common, wanted);
                 }
@@ -300,21 +302,6 @@ impl<'m> Lowering<'m> {
             );
         }
         place
-    }
-
-    /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.
-    fn bound_selector(&mut self, inputs: usize) {
-        if self.model.source.dialect.mux_outside_takes_last {
-            // A negative selector counts as larger than all.
-            self.bound(inputs as u64 - 1);
-        }
-    }
-
-    /// Replaces a length or a position in a text, which is on the stack, by the greatest LINT where it is a greater ULINT.
-    fn bound_count(&mut self, id: ExpressionId) {
-        if self.infer(id).elementary() == Some(ElementaryType::Ulint) {
-            self.bound(i64::MAX.cast_unsigned());
-        }
     }
 
     /// Replaces a ULINT, which is on the stack, by the greatest one that is allowed where it is greater.

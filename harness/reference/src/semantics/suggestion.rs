@@ -3,7 +3,7 @@
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
-use super::misfit::{describe, misfit, misfit_of_any};
+use super::misfit::{describe, misfit};
 use super::model::Model;
 use super::similarity::{Candidate, MAX_CHANGES, distance};
 use super::standard_signatures::STANDARD_FUNCTIONS;
@@ -38,18 +38,6 @@ impl<'m> Lowering<'m> {
     ) {
         let message = misfit(&self.model.types, inferred, target, context);
         self.report_misfit_as(id, inferred, target, context, message);
-    }
-
-    /// Reports an argument that is of none of the types that a parameter takes, with the one that a suggestion converts to.
-    pub(super) fn report_misfit_of_any(
-        &mut self,
-        id: ExpressionId,
-        inferred: Inferred,
-        allowed: &[ElementaryType],
-        default: ElementaryType,
-    ) {
-        let message = misfit_of_any(&self.model.types, inferred, allowed);
-        self.report_misfit_as(id, inferred, TypeId::of(default), ValueContext::Argument, message);
     }
 
     /// Reports a value that does not fit where it stands, with a message of its own, and the conversion call that would make it fit.

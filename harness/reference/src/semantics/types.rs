@@ -234,7 +234,7 @@ pub(super) struct TypeTable {
     subranges: FxHashMap<Subrange, TypeId>,
     arrays: FxHashMap<(TypeId, Box<[Dimension]>), TypeId>,
     /// The types that function blocks, classes and interfaces directly extend or implement.
-    parents: FxHashMap<TypeId, Vec<TypeId>>,
+    pub(super) parents: FxHashMap<TypeId, Vec<TypeId>>,
 }
 
 /// The elementary types, and behind them [`TypeId::ERROR`] and [`TypeId::ADDRESS`]: the same in every source text.
@@ -265,11 +265,6 @@ static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::
 });
 
 impl TypeTable {
-    /// Notes the types that a new type extends or implements, of which there are at most [`MAX_ANCESTORS`].
-    pub(super) fn set_parents(&mut self, id: TypeId, parents: Vec<TypeId>) {
-        self.parents.insert(id, parents);
-    }
-
     /// Returns whether a type is another one, or extends or implements it, directly or not.
     pub(super) fn derives(&self, id: TypeId, ancestor: TypeId) -> bool {
         let mut waiting = vec![self.root(id)];
@@ -331,12 +326,6 @@ impl TypeTable {
             name: None,
         });
         id
-    }
-
-    /// Adds a reference or pointer type whose target is given later.
-    pub(super) fn add_pointer(&mut self, form: PointerForm) -> TypeId {
-        let target = TypeId::ERROR;
-        self.add(TypeKind::Pointer(PointerType { form, target }), Extent::PLAIN)
     }
 
     /// Gives a reference or pointer type its target.

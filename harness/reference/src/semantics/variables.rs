@@ -129,7 +129,8 @@ impl<'u> Declarer<'u, '_> {
             TypeSpecificationKind::VariableLengthArray { .. }
         );
         let held = block.kind.is_held() && !is_array;
-        if let (false, Some(initializer)) = (held, &group.initializer) {
+        let may_have_value = held || self.model.source.dialect.initial_values_name_all;
+        if let (false, Some(initializer)) = (may_have_value, &group.initializer) {
             let message = "what stands for another variable has no initial value of its own";
             self.report(Code::InitializerTypeMismatch, initializer.span, message);
         }
@@ -179,8 +180,21 @@ impl<'u> Declarer<'u, '_> {
             _ if limits > 0 => VariableKind::InOut,
             kind => kind,
         };
-        if matches!(kind, VariableKind::Input | VariableKind::InOut) {
-            self.model.pous[pou].parameters.push(index);
+        let with_outputs = self.model.source.dialect.outputs_by_position;
+        let entry = &mut self.model.pous[pou];
+        let is_parameter = matches!(kind, VariableKind::Input | VariableKind::InOut);
+        if is_parameter {
+            entry.parameters.push(index);
+        }
+        if is_parameter || with_outputs && matches!(block.kind, VariableKind::Output | VariableKind::InOut) {
+            entry.positional.push(index);
+            let may_be_left_out = match entry.is_function() {
+                true => group.initializer.is_some() || block.kind == VariableKind::Output,
+                false => block.kind != VariableKind::InOut,
+            };
+            if !(with_outputs && may_be_left_out) {
+                entry.required = entry.positional.len();
+            }
         }
         let fixed = block.constant
             && matches!(
@@ -188,7 +202,10 @@ impl<'u> Declarer<'u, '_> {
                 VariableKind::Local | VariableKind::Temporary | VariableKind::Static
             );
         let value = match kind {
-            VariableKind::External => self.external_constant(name),
+            VariableKind::External => match self.model.globals.get(&CaseFolded(name.text)) {
+                Some(&global) => self.model.variable(global).value.clone(),
+                None => Constant::Unknown,
+            },
             _ if fixed => self.local_constant(group, ty),
             _ => Constant::Variable,
         };

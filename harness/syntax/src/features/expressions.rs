@@ -4,8 +4,8 @@ use super::FeatureFinder;
 use crate::names::DeclaredKind;
 use crate::source::Span;
 use crate::tree::{
-    Argument, BinaryOperator, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind,
-    UnaryOperator, own_instance,
+    Argument, BinaryOperator, CaseFolded, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind,
+    PouKind, UnaryOperator, own_instance,
 };
 use crate::visitor::Context;
 use stickler_types::ElementaryType;
@@ -19,9 +19,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         at: &Context<'t, 's>,
     ) {
         use ExpressionKind::{
-            Assigned, Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index, Literal, Name,
-            Parenthesized, Part, Unary,
+            Aggregate, Assigned, Binary, Bit, Call, Dereference, EnumeratedValue, Error, Field, Index,
+            Literal, Name, Parenthesized, Part, Unary,
         };
+        use PouKind::{Getter, Setter};
         let span = expression.span;
         let key = match expression.kind {
             Literal(ref literal) => return self.literal(literal, expression),
@@ -38,7 +39,14 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             },
             EnumeratedValue(_) => "enumerated-value-typed",
-            Field { field, .. } if self.is_property(field.text) => return,
+            Field { field, .. }
+                if matches!(
+                    self.declared(field.text),
+                    Some(DeclaredKind::Pou(Getter | Setter))
+                ) =>
+            {
+                return;
+            }
             Field { base, .. } => {
                 let name = self.name_of(base, at);
                 let is_output = || name.is_some_and(|name| self.block_of(name).is_some());
@@ -76,7 +84,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             Parenthesized(_) if !around.is_some_and(|around| matches!(around.kind, Call { .. })) => {
                 "parentheses"
             }
-            Parenthesized(_) | Bit { .. } | Part { .. } | Error => return,
+            Parenthesized(_) | Aggregate(_) | Bit { .. } | Part { .. } | Error => return,
         };
         self.note(key, span);
     }
@@ -107,12 +115,6 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             ExpressionKind::Name(name) => Some(name.text),
             _ => None,
         }
-    }
-
-    /// Returns whether a name is only that of a property.
-    fn is_property(&self, name: &str) -> bool {
-        use PouKind::{Getter, Setter};
-        matches!(self.declared(name), Some(DeclaredKind::Pou(Getter | Setter)))
     }
 
     /// Notes a name that stands for the instance whose code is running; says whether it is one.
@@ -173,8 +175,12 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call, at),
             _ => self.note("function-block-call", span),
         }
-        let inputs = self.inputs_of(block.or(name).unwrap_or_default());
-        self.note_if(given < inputs, "input-left-out", span);
+        let inputs = self.inputs.get(&CaseFolded(block.or(name).unwrap_or_default()));
+        self.note_if(
+            inputs.is_some_and(|&inputs| given < inputs),
+            "input-left-out",
+            span,
+        );
     }
 
     /// Returns whether an argument is EN or ENO, which the program does not declare.

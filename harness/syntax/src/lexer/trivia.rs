@@ -12,7 +12,11 @@ impl Lexer<'_, '_> {
     pub(super) fn block_comment(&mut self) {
         let start = self.at;
         self.at += 2;
-        let closed = if self.dialect.nested_comments {
+        let is_description =
+            self.dialect.oscat_descriptions && self.bytes[start..].starts_with(b"(*@KEY@:DESCRIPTION*)");
+        let closed = if is_description {
+            self.skip_past(b"(*@KEY@:END_DESCRIPTION*)")
+        } else if self.dialect.nested_comments {
             self.skip_nested(b"(*", b"*)")
         } else {
             self.skip_past(b"*)")

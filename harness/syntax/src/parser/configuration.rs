@@ -2,7 +2,7 @@
 
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
-use crate::tree::{Configuration, Name, ProgramInstance, Resource, Task, VariableBlock, VariableKind};
+use crate::tree::{Configuration, ProgramInstance, Resource, Task, VariableBlock, VariableKind};
 
 impl<'s> Parser<'s, '_> {
     /// CONFIGURATION … END_CONFIGURATION; `None` without a name, when the contents are read all the same.
@@ -54,7 +54,11 @@ impl<'s> Parser<'s, '_> {
     /// RESOURCE … ON … END_RESOURCE. What stands in one whose header is broken is read, and kept without it.
     fn resource(&mut self, sections: &mut Vec<VariableBlock<'s>>) -> Resource<'s> {
         self.bump();
-        let header = self.resource_header().ok();
+        let header = self.name("a resource's name").and_then(|name| {
+            self.require(TokenKind::On)?;
+            Ok((name, self.name("a resource's type")?))
+        });
+        let header = header.ok();
         if header.is_none() {
             self.skip_line();
         }
@@ -67,12 +71,6 @@ impl<'s> Parser<'s, '_> {
         }
         self.close(TokenKind::EndResource);
         resource
-    }
-
-    fn resource_header(&mut self) -> ParseResult<(Name<'s>, Name<'s>)> {
-        let name = self.name("a resource's name")?;
-        self.require(TokenKind::On)?;
-        Ok((name, self.name("a resource's type")?))
     }
 
     /// A section, a task or a program instance.

@@ -1,7 +1,7 @@
 //! The top level of a text, and the program organization units.
 
 use super::open::OpenBlock;
-use super::state::{ParseResult, Parser};
+use super::state::Parser;
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
@@ -25,7 +25,9 @@ impl<'s> Parser<'s, '_> {
                 self.bump();
             }
         }
-        self.close_namespaces();
+        if !self.namespaces.is_empty() {
+            self.expected("`END_NAMESPACE`");
+        }
         declarations
     }
 
@@ -49,6 +51,12 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Configuration => self.configuration().map(Declaration::Configuration),
             TokenKind::VarGlobal => self.variable_block().map(Declaration::Globals),
             TokenKind::VarAccess => {
+                self.variable_block();
+                None
+            }
+            TokenKind::VarConfig if self.dialect.configured_outside => {
+                let span = self.token().span;
+                self.unsupported(span, "VAR_CONFIG sections outside of a CONFIGURATION");
                 self.variable_block();
                 None
             }
@@ -79,6 +87,7 @@ impl<'s> Parser<'s, '_> {
     fn pou(&mut self, kind: PouKind) -> Option<Declaration<'s>> {
         let start = self.bump().span;
         (self.incomplete, self.refused) = (false, false);
+        self.generics.clear();
         self.in_interface = kind == PouKind::Interface;
         match kind {
             PouKind::Class => self.requires("class", start, "CLASS"),
@@ -255,7 +264,10 @@ impl<'s> Parser<'s, '_> {
         };
         self.refused = false;
         let extends = self.names_behind("EXTENDS", "structure-extends").first().copied();
-        let (specification, initializer) = match self.type_of_declaration() {
+        let (specification, initializer) = match self
+            .require(TokenKind::Colon)
+            .and_then(|_| self.type_specification())
+        {
             Ok(specification) => {
                 if let TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } =
                     specification.kind
@@ -279,11 +291,6 @@ impl<'s> Parser<'s, '_> {
             specification,
             initializer,
         }
-    }
-
-    fn type_of_declaration(&mut self) -> ParseResult<TypeSpecification<'s>> {
-        self.require(TokenKind::Colon)?;
-        self.type_specification()
     }
 }
 

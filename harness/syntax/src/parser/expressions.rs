@@ -115,14 +115,19 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Name => self.path(),
             TokenKind::Minus => self.prefixed(UnaryOperator::Negate),
             TokenKind::Plus => self.prefixed(UnaryOperator::Plus),
-            TokenKind::Not if self.names_an_input() => self.path(),
+            TokenKind::Not if self.names_an_input(1) => self.path(),
             TokenKind::Not => self.prefixed(UnaryOperator::Not),
             TokenKind::And | TokenKind::Or | TokenKind::Xor | TokenKind::Mod
                 if self.nth(1) == TokenKind::LeftParen =>
             {
                 self.path()
             }
+            TokenKind::LeftBracket if self.dialect.aggregates_as_values => self.aggregate(),
+            TokenKind::LeftParen if self.dialect.aggregates_as_values && self.names_an_input(0) => {
+                self.aggregate()
+            }
             TokenKind::LeftParen => self.parenthesized(),
+            TokenKind::Dot if self.nth(1) == TokenKind::Name => self.path(),
             TokenKind::Enumerated => Ok(self.enumerated_value()),
             TokenKind::Direct => self.path(),
             kind if kind.is_literal() => Ok(self.literal()),
@@ -132,10 +137,18 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// Returns whether an opening parenthesis and the name of an input stand behind the token, so that it is a function: `NOT(IN := a)`.
-    fn names_an_input(&self) -> bool {
-        let ahead = [1, 2, 3].map(|count| self.nth(count));
+    /// Returns whether `(IN :=` stands so many tokens ahead: behind NOT, so that it is a function.
+    fn names_an_input(&self, ahead: usize) -> bool {
+        let ahead = [0, 1, 2].map(|count| self.nth(ahead + count));
         ahead == [TokenKind::LeftParen, TokenKind::Name, TokenKind::Assign]
+    }
+
+    /// `[1, 2]` or `(x := 1)` as a value.
+    fn aggregate(&mut self) -> ParseResult<ExpressionId> {
+        let initializer = Box::new(self.initializer()?);
+        self.grow(0)?;
+        let span = initializer.span;
+        Ok(self.push(ExpressionKind::Aggregate(initializer), span))
     }
 
     fn prefixed(&mut self, operator: UnaryOperator) -> ParseResult<ExpressionId> {

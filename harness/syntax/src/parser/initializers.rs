@@ -9,9 +9,20 @@ impl<'s> Parser<'s, '_> {
     pub(super) fn initializer(&mut self) -> ParseResult<Initializer<'s>> {
         let start = self.token().span;
         let kind = match self.kind() {
-            TokenKind::LeftBracket => self.nested(Self::array_initializer)?,
+            // `[1, 2, 3(0)]`.
+            TokenKind::LeftBracket => self.nested(|parser| {
+                let elements = |parser: &mut Self| parser.list(Self::array_element);
+                parser
+                    .bracketed(TokenKind::RightBracket, elements)
+                    .map(InitializerKind::Array)
+            })?,
+            // `(x := 1, y := 2)`.
             TokenKind::LeftParen if self.nth(1) == TokenKind::Name && self.nth(2) == TokenKind::Assign => {
-                self.nested(Self::structure_initializer)?
+                self.nested(|parser| {
+                    let field = |parser: &mut Self| parser.named("a field's name", Self::initializer);
+                    let fields = parser.bracketed(TokenKind::RightParen, |parser| parser.list(field));
+                    fields.map(InitializerKind::Structure)
+                })?
             }
             _ => InitializerKind::Expression(self.expression()?),
         };
@@ -19,13 +30,6 @@ impl<'s> Parser<'s, '_> {
             kind,
             span: start.to(self.previous_span()),
         })
-    }
-
-    /// `[1, 2, 3(0)]`.
-    fn array_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
-        let elements = |parser: &mut Self| parser.list(Self::array_element);
-        self.bracketed(TokenKind::RightBracket, elements)
-            .map(InitializerKind::Array)
     }
 
     /// A value, or `3(value)`, `3(value, value)` or `3()`.
@@ -44,12 +48,5 @@ impl<'s> Parser<'s, '_> {
             _ => parser.list(|parser| parser.nested(Self::initializer)),
         })?;
         Ok(ArrayElement { repetition, values })
-    }
-
-    /// `(x := 1, y := 2)`.
-    fn structure_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
-        let field = |parser: &mut Self| parser.named("a field's name", Self::initializer);
-        self.bracketed(TokenKind::RightParen, |parser| parser.list(field))
-            .map(InitializerKind::Structure)
     }
 }

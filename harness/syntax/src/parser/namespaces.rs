@@ -79,13 +79,6 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    /// Reports the namespaces that are open at the end of the text.
-    pub(super) fn close_namespaces(&mut self) {
-        if !self.namespaces.is_empty() {
-            self.expected("`END_NAMESPACE`");
-        }
-    }
-
     /// A name, perhaps with those of namespaces or a library in front of it.
     fn qualified_name(&mut self) -> Option<Name<'s>> {
         let first = self.name("a name").ok()?;

@@ -8,6 +8,10 @@ impl<'s> Parser<'s, '_> {
     /// `a`, `a.b`, `a[1].b(x := 2)`, `a.3`.
     #[inline]
     pub(super) fn path(&mut self) -> ParseResult<ExpressionId> {
+        if self.kind() == TokenKind::Dot {
+            let point = self.bump().span;
+            self.unsupported(point, "names of global variables behind a point (`.name`)");
+        }
         let mut span = self.token().span;
         let kind = if self.kind() == TokenKind::Direct {
             self.unsupported(span, "directly represented variables (`%IX0.0`)");

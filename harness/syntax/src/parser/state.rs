@@ -80,6 +80,8 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) namespaces: Vec<usize>,
     /// The words behind JMP in the text, once they have been looked for.
     pub(super) jump_targets: Option<FxHashSet<CaseFolded<'s>>>,
+    /// The names of the types that are parameters of the function that is being read.
+    pub(super) generics: FxHashSet<CaseFolded<'s>>,
     depth: usize,
     reported: Option<usize>,
     limit_reported: bool,
@@ -112,6 +114,7 @@ impl<'s, 'd> Parser<'s, 'd> {
             incomplete: false,
             namespaces: Vec::new(),
             jump_targets: None,
+            generics: FxHashSet::default(),
             depth: 0,
             reported: None,
             limit_reported: false,

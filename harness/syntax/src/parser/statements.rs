@@ -22,7 +22,9 @@ impl<'s> Parser<'s, '_> {
                 if self.is_awaited(kind) {
                     return;
                 }
-                self.stray_end();
+                self.expected("a statement");
+                self.bump();
+                self.eat(TokenKind::Semicolon);
             } else if kind.opens_section() {
                 self.expected("a statement (variable sections stand before the statements)");
                 let section = self.variable_block();
@@ -38,13 +40,6 @@ impl<'s> Parser<'s, '_> {
                 self.statement(list);
             }
         }
-    }
-
-    /// An END_…, ELSE or UNTIL that belongs to nothing.
-    fn stray_end(&mut self) {
-        self.expected("a statement");
-        self.bump();
-        self.eat(TokenKind::Semicolon);
     }
 
     /// One statement and its `;`. One that could not be read is left out, as if it were not there.
@@ -89,9 +84,11 @@ impl<'s> Parser<'s, '_> {
         match self.kind() {
             TokenKind::Name if self.at_continue() => self.keyword_statement(StatementKind::Continue),
             TokenKind::Name | TokenKind::Direct => self.assignment_or_call(),
+            TokenKind::Dot if self.nth(1) == TokenKind::Name => self.assignment_or_call(),
             TokenKind::Exit => self.keyword_statement(StatementKind::Exit),
             TokenKind::Return => self.keyword_statement(StatementKind::Return),
             kind if kind.opens_block() => self.block_statement(),
+            _ if self.dialect.values_as_statements => self.expression().map(StatementKind::Call),
             _ => Err(self.expected("a statement")),
         }
     }
@@ -138,7 +135,8 @@ impl<'s> Parser<'s, '_> {
             return self.binding(target);
         }
         self.unsupported_assignment(start)?;
-        if self.is_call(target) {
+        let is_value = self.kind() == TokenKind::Semicolon && self.dialect.values_as_statements;
+        if self.is_call(target) || is_value {
             return Ok(StatementKind::Call(target));
         }
         Err(match self.kind() {

@@ -4,7 +4,8 @@ use super::state::{ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{
-    ANY_ARGUMENTS, ExpressionId, Name, PointerForm, TypeSpecification, TypeSpecificationKind as Kind,
+    ANY_ARGUMENTS, CaseFolded, ExpressionId, Name, PointerForm, TypeSpecification,
+    TypeSpecificationKind as Kind,
 };
 use stickler_types::Code;
 
@@ -17,9 +18,7 @@ impl<'s> Parser<'s, '_> {
                 parser.union_type()
             }
             TokenKind::Name => parser.named_type(),
-            TokenKind::DotDot if parser.dialect.external_functions && parser.nth(1) == TokenKind::Dot => {
-                Ok(parser.any_arguments())
-            }
+            TokenKind::DotDot if parser.at_any_arguments() => Ok(parser.any_arguments()),
             TokenKind::Array => parser.array_type(),
             TokenKind::Struct => parser.structure_type(),
             TokenKind::LeftParen => parser.enumeration_type(None),
@@ -33,11 +32,20 @@ impl<'s> Parser<'s, '_> {
 
     /// A type that begins with a name.
     fn named_type(&mut self) -> ParseResult<Kind<'s>> {
+        use TokenKind::{Assign, Comma, RightParen};
         if let Some(form) = self.pointer_form() {
             return self.pointer_type(form);
         }
+        if self.at_word("__FPOINTER") && self.nth(1) == TokenKind::Name {
+            let word = self.bump().span;
+            self.unsupported(word, "pointers to functions (`__FPOINTER`)");
+            self.path()?;
+            return Ok(Kind::Error);
+        }
         let name = self.name("a type")?;
         match self.kind() {
+            TokenKind::DotDot if self.at_any_arguments() => Ok(self.any_arguments()),
+            _ if self.generics.contains(&CaseFolded(name.text)) => Ok(Kind::Error),
             TokenKind::LeftBracket if is_text(&name) => self.text_type(name, TokenKind::RightBracket),
             TokenKind::LeftParen if is_text(&name) => {
                 let start = self.token().span;
@@ -50,14 +58,28 @@ impl<'s> Parser<'s, '_> {
                 }
                 Ok(specification)
             }
-            TokenKind::LeftParen if self.at_enumeration() => self.enumeration_type(Some(name)),
-            TokenKind::LeftParen => self.subrange_type(name),
+            // No limit of a subrange is a name with one of these behind it.
+            TokenKind::LeftParen
+                if self.nth(1) == TokenKind::Name && matches!(self.nth(2), Comma | RightParen | Assign) =>
+            {
+                self.enumeration_type(Some(name))
+            }
+            TokenKind::LeftParen => {
+                let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
+                self.has("subrange", name.span.to(self.previous_span()), "TYPE(low..high)");
+                Ok(Kind::Subrange { base: name, limits })
+            }
             TokenKind::Dot => Ok(self.qualified_type(name.span)),
             _ => Ok(Kind::Named(name)),
         }
     }
 
-    /// `...`, the type of an input that stands for any number of arguments.
+    /// Returns whether `...` stands here, which the lexer reads as two tokens.
+    fn at_any_arguments(&self) -> bool {
+        self.dialect.external_functions && self.nth(1) == TokenKind::Dot
+    }
+
+    /// `...`, the type of an input that stands for any number of arguments, perhaps behind the type of each.
     fn any_arguments(&mut self) -> Kind<'s> {
         let span = self.bump().span.to(self.bump().span);
         Kind::Named(Name {
@@ -70,19 +92,6 @@ impl<'s> Parser<'s, '_> {
     fn text_type(&mut self, name: Name<'s>, closer: TokenKind) -> ParseResult<Kind<'s>> {
         let length = self.bracketed(closer, Self::expression)?;
         Ok(Kind::Text { name, length })
-    }
-
-    /// Behind the parenthesis stands a name, and behind that something else than a limit could have.
-    fn at_enumeration(&self) -> bool {
-        use TokenKind::{Assign, Comma, Name, RightParen};
-        self.nth(1) == Name && matches!(self.nth(2), Comma | RightParen | Assign)
-    }
-
-    /// `INT(low..high)`.
-    fn subrange_type(&mut self, base: Name<'s>) -> ParseResult<Kind<'s>> {
-        let limits = self.bracketed(TokenKind::RightParen, Self::limits)?;
-        self.has("subrange", base.span.to(self.previous_span()), "TYPE(low..high)");
-        Ok(Kind::Subrange { base, limits })
     }
 
     /// `low..high`.
@@ -101,14 +110,11 @@ impl<'s> Parser<'s, '_> {
         };
         let values = self.bracketed(TokenKind::RightParen, |parser| parser.list(value))?;
         self.has("enumeration", start.to(self.previous_span()), "(NAME, …)");
-        let base = base.or_else(|| self.base_behind_values());
+        let base = match self.kind() {
+            TokenKind::Name if self.dialect.bases_behind_values && base.is_none() => self.name("a type").ok(),
+            _ => base,
+        };
         Ok(Kind::Enumeration { base, values })
-    }
-
-    /// `INT` of `(RED, GREEN) INT`, an extension of CODESYS and others.
-    fn base_behind_values(&mut self) -> Option<Name<'s>> {
-        let is_there = self.dialect.bases_behind_values && self.kind() == TokenKind::Name;
-        is_there.then(|| self.name("a type").ok()).flatten()
     }
 
     /// `ARRAY[low..high, …] OF element` or `ARRAY[*, …] OF element`.
@@ -176,7 +182,12 @@ impl<'s> Parser<'s, '_> {
     /// `STRUCT … END_STRUCT`.
     fn structure_type(&mut self) -> ParseResult<Kind<'s>> {
         self.bump();
-        let overlap = self.unsupported_overlap();
+        let is_field = matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma);
+        let overlap = self.at_word("OVERLAP") && !is_field;
+        if overlap {
+            let word = self.bump().span;
+            self.unsupported(word, "overlapping structures (STRUCT OVERLAP)");
+        }
         let open = std::mem::take(&mut self.open);
         let fields = self.variable_groups(TokenKind::EndStruct);
         self.open = open;

@@ -5,6 +5,7 @@
 use super::state::{Broken, ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
+use crate::tree::CaseFolded;
 use stickler_types::Code;
 
 /// Words that begin an instruction of an instruction list.
@@ -26,16 +27,6 @@ impl<'s> Parser<'s, '_> {
 
     pub(super) fn at_any_word(&self, words: &[&str]) -> bool {
         words.iter().any(|word| self.at_word(word))
-    }
-
-    /// Moves over a word that belongs to a feature that is not implemented; says whether it is one.
-    fn unsupported_word(&mut self, words: &[&str], features: &str) -> bool {
-        let found = self.at_any_word(words);
-        if found {
-            let span = self.bump().span;
-            self.unsupported(span, features);
-        }
-        found
     }
 
     /// VAR_ACCESS, up to its END_VAR.
@@ -70,6 +61,7 @@ impl<'s> Parser<'s, '_> {
         if self.kind() == TokenKind::Less {
             let start = self.bump().span;
             while matches!(self.kind(), TokenKind::Name | TokenKind::Colon | TokenKind::Comma) {
+                self.generics.insert(CaseFolded(self.word()));
                 self.bump();
             }
             self.eat(TokenKind::Greater);
@@ -78,12 +70,6 @@ impl<'s> Parser<'s, '_> {
                 "types as parameters of functions (`<T: ANY>`)",
             );
         }
-    }
-
-    /// OVERLAP behind STRUCT.
-    pub(super) fn unsupported_overlap(&mut self) -> bool {
-        !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma)
-            && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
     /// Recognizes what begins with a name, stands where a statement is expected, and is none: an instruction list, or an

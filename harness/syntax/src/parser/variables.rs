@@ -5,8 +5,8 @@ use super::open::OpenBlock;
 use super::state::{ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{
-    Access, Edge, Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
-    VariableKind,
+    Access, Edge, Initializer, Name, PointerForm, TypeSpecification, TypeSpecificationKind, VariableBlock,
+    VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -105,6 +105,7 @@ impl<'s> Parser<'s, '_> {
 
     /// Groups up to END_VAR, END_STRUCT or END_UNION, which is a name to the lexer.
     pub(super) fn variable_groups(&mut self, closer: TokenKind) -> Vec<VariableGroup<'s>> {
+        use TokenKind::{Assign, Dot, LeftBracket, LeftParen};
         let mut groups = Vec::new();
         loop {
             match self.kind() {
@@ -118,7 +119,12 @@ impl<'s> Parser<'s, '_> {
                     self.eat(TokenKind::Semicolon);
                     return groups;
                 }
-                TokenKind::Name if closer == TokenKind::EndVar && self.at_statement() => {
+                // A statement begins here, and no END_VAR follows: it is missing. Where one follows, it is the declaration that is wrong.
+                TokenKind::Name
+                    if closer == TokenKind::EndVar
+                        && matches!(self.nth(1), Assign | LeftParen | LeftBracket | Dot)
+                        && !self.section_goes_on() =>
+                {
                     self.expected("`END_VAR`");
                     return groups;
                 }
@@ -127,7 +133,11 @@ impl<'s> Parser<'s, '_> {
                     self.unsupported_location();
                     self.skip_declaration();
                 }
-                kind if self.ends_groups(kind) => {
+                // A keyword may be taken for a name.
+                kind if kind.opens_statement() && !self.names_a_variable()
+                    || kind.ends_statements()
+                    || kind.opens_section() =>
+                {
                     self.expected(match closer {
                         TokenKind::EndVar => "`END_VAR`",
                         TokenKind::EndStruct => "`END_STRUCT`",
@@ -147,19 +157,6 @@ impl<'s> Parser<'s, '_> {
                 }
             }
         }
-    }
-
-    /// No declaration goes on over a token of this kind, unless it is a keyword that is taken for a name.
-    fn ends_groups(&self, kind: TokenKind) -> bool {
-        let statement = kind.opens_statement() && !self.names_a_variable();
-        statement || kind.ends_statements() || kind.opens_section()
-    }
-
-    /// A statement begins here, and no END_VAR follows: it is missing. Where one follows, it is the declaration
-    /// that is wrong.
-    fn at_statement(&mut self) -> bool {
-        use TokenKind::{Assign, Dot, LeftBracket, LeftParen};
-        matches!(self.nth(1), Assign | LeftParen | LeftBracket | Dot) && !self.section_goes_on()
     }
 
     /// An END_VAR stands ahead. It is looked for once a section, and the answer kept.
@@ -190,7 +187,8 @@ impl<'s> Parser<'s, '_> {
                 if group.edge.is_some() {
                     self.bump();
                 }
-                group.initializer = self.optional_initializer(&specification);
+                let initializer = self.optional_initializer(&specification);
+                group.initializer = group.initializer.take().or(initializer);
                 group.specification = specification;
             }
             Err(_) => {
@@ -258,14 +256,24 @@ impl<'s> Parser<'s, '_> {
                 break;
             }
         }
-        if self.kind() == TokenKind::At {
+        if self.kind() == TokenKind::At && self.nth(1) == TokenKind::Name && self.dialect.aliases {
+            self.bump();
+            group.initializer = Some(self.initializer()?);
+        } else if self.kind() == TokenKind::At {
             group.location = self.location(&group.names, closer)?;
         }
         if self.kind() == TokenKind::Assign {
             return Err(self.expected("`:` and a type"));
         }
         self.require(TokenKind::Colon)?;
-        self.type_specification()
+        let mut specification = self.type_specification()?;
+        if group.initializer.is_some() {
+            let span = specification.span;
+            let (form, target) = (PointerForm::ReferenceTo, Box::new(specification));
+            let kind = TypeSpecificationKind::Pointer { form, target };
+            specification = TypeSpecification { kind, span };
+        }
+        Ok(specification)
     }
 
     /// `AT %IX0.0`: the location of one variable of a section, or `AT %I*`, which a VAR_CONFIG completes. Those within structures are not

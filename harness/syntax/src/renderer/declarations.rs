@@ -253,7 +253,7 @@ impl<'u, 's> Writer<'u, 's> {
         }
     }
 
-    fn initializer(&mut self, initializer: &'u Initializer<'s>, of: NameShape<'u, 's>) {
+    pub(super) fn initializer(&mut self, initializer: &'u Initializer<'s>, of: NameShape<'u, 's>) {
         match &initializer.kind {
             InitializerKind::Expression(value) => {
                 self.expression(*value);

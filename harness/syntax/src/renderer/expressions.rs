@@ -84,6 +84,7 @@ impl<'u, 's> Writer<'u, 's> {
                 self.expression(*inner);
                 self.put(")");
             }
+            ExpressionKind::Aggregate(initializer) => self.initializer(initializer, NameShape::Unknown),
             ExpressionKind::Error => {}
         }
         NameShape::Unknown

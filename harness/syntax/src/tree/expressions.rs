@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::{ExpressionId, Literal, Name, Prefixed};
+use super::{ExpressionId, Initializer, Literal, Name, Prefixed};
 use crate::source::Span;
 use stickler_types::{ElementaryType, words};
 
@@ -104,6 +104,8 @@ pub enum ExpressionKind<'s> {
     },
     /// `(inner)`.
     Parenthesized(ExpressionId),
+    /// `[1, 2]` or `(x := 1)` as a value.
+    Aggregate(Box<Initializer<'s>>),
     /// An expression that could not be read; a diagnostic has been given, and nothing more is said about it.
     Error,
 }

@@ -32,13 +32,6 @@ impl<'s> SourceUnit<'s> {
             })
     }
 
-    /// Returns whether the text declares namespaces.
-    #[must_use]
-    pub fn has_namespaces(&self) -> bool {
-        let mut declarations = self.declarations.iter();
-        declarations.any(|one| matches!(one, Declaration::Namespace(_)))
-    }
-
     /// Returns the configurations, in the order of the text.
     pub fn configurations(&self) -> impl Iterator<Item = &Configuration<'s>> {
         self.declarations.iter().filter_map(|one| match one {

@@ -10,7 +10,7 @@ use crate::model::{
     Unit, VariableId, VariableSection,
 };
 use stickler_exact::implicit;
-use stickler_types::{ElementaryType, MatrixWord};
+use stickler_types::{Dialect, ElementaryType, MatrixWord};
 
 /// The outputs that a call takes, and their places.
 type Outputs = Vec<(VariableId, Place)>;
@@ -129,7 +129,7 @@ pub(super) fn output_taken(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     })
 }
 
-/// Plants arguments by position, one more than the function block has inputs.
+/// Plants arguments by position, one more than the function block has inputs, where they are not for outputs.
 ///
 /// Basis: ironplc-problem-codes: P4003.
 pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_>) -> Option<()> {
@@ -138,6 +138,7 @@ pub(super) fn too_many_by_position(fault: &mut FaultSite<'_, '_>) -> Option<()> 
         let instances = unit
             .variables(original)
             .iter()
+            .filter(|_| !Dialect::of(original.dialect).outputs_by_position)
             .filter_map(|variable| match variable.ty {
                 Type::Block(block) => Some((variable, literals(original.blocks.get(block)?)?)),
                 _ => None,
