@@ -66,9 +66,9 @@ pub enum LogError {
         /// The error of parsing the line.
         source: serde_json::Error,
     },
-    /// A case refers to a group that was not described.
-    #[error("line {line} of the event log names a group of cases that no line before it describes")]
-    Group {
+    /// A case refers to a group that was not described, or leaves out what it asks although no case before it asked anything.
+    #[error("line {line} of the event log refers to what no line before it describes")]
+    Reference {
         /// The number of the line, from 1.
         line: u64,
     },
@@ -97,7 +97,7 @@ pub enum LogError {
     },
     /// The file is a `results.json`.
     #[error(
-        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl beside it"
+        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl.gz beside it"
     )]
     Results {
         /// The version of the format of that file.

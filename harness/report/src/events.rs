@@ -1,18 +1,22 @@
-//! `events.jsonl`: the event stream itself, one JSON object a line, written while the run goes on.
+//! `events.jsonl.gz`: the event stream itself, one JSON object a line, compressed and written while the run goes on.
 //!
 //! The common properties of the cases of a probe are written once, before the first of them; the line of a case refers to
-//! them by a number.
+//! them by a number. What a program asks is written once for the engines and dialects that are asked it one after the other. A log that
+//! somebody unpacked is read as well.
 
 mod record;
 
 use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
+use flate2::Compression;
+use flate2::read::MultiGzDecoder;
+use flate2::write::GzEncoder;
 #[cfg(test)]
 pub(crate) use record::LogLine;
-use record::{CaseObject, Decoder, GroupLine, PassedLine, RunLine};
+use record::{AskedCase, CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use stickler_run::{Event, FORMAT, Header};
@@ -21,7 +25,10 @@ use stickler_run::{Event, FORMAT, Header};
 pub(crate) const SCHEMA: &str = include_str!("../schemas/events.schema.json");
 
 /// The name of the log in a folder of reports.
-pub const NAME: &str = "events.jsonl";
+pub const NAME: &str = "events.jsonl.gz";
+
+/// The first bytes of a compressed file.
+const GZIP: &[u8] = b"\x1f\x8b";
 
 /// The number of bytes that are gathered before they are written.
 const BATCH: usize = 1 << 16;
@@ -33,7 +40,7 @@ const FLUSH_INTERVAL: Duration = Duration::from_millis(250);
 /// a footer.
 pub struct EventLog {
     path: PathBuf,
-    file: File,
+    file: GzEncoder<File>,
     encoder: Encoder,
     written: Instant,
 }
@@ -42,6 +49,8 @@ pub struct EventLog {
 #[derive(Default)]
 struct Encoder {
     groups: Groups,
+    /// What the last object about a case asked.
+    asked: Option<AskedCase>,
     /// The whole lines that are not written yet.
     lines: Vec<u8>,
 }
@@ -61,7 +70,7 @@ impl Encoder {
                 }
                 match PassedLine::of(case, number) {
                     Some(passed) => push_line(&mut self.lines, &passed)?,
-                    None => push_line(&mut self.lines, &CaseObject::new(case, number))?,
+                    None => push_line(&mut self.lines, &CaseObject::new(case, number, &mut self.asked))?,
                 }
                 return Ok(Some(number));
             }
@@ -85,23 +94,18 @@ impl EventLog {
         let file = File::create(&path).map_err(ReportError::writing(&path))?;
         Ok(EventLog {
             path,
-            file,
+            file: GzEncoder::new(file, Compression::default()),
             encoder: Encoder::default(),
             written: Instant::now(),
         })
     }
 
-    /// Adds one event. The header and the footer reach the file at once, cases in batches.
+    /// Adds one event, and returns the group of a case. The header and the footer reach the file at once, cases in batches.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the file cannot be written; [`ReportError::Serialise`] where the event cannot be
     /// serialised.
-    pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
-        self.take_case(event).map(|_| ())
-    }
-
-    /// Adds one event, and returns the group of a case.
-    pub(crate) fn take_case(&mut self, event: &Event) -> Result<Option<GroupNumber>, ReportError> {
+    pub(crate) fn take(&mut self, event: &Event) -> Result<Option<GroupNumber>, ReportError> {
         let group = self.encoder.encode(event)?;
         let due = match event {
             Event::Header(_) | Event::Footer(_) => true,
@@ -127,6 +131,7 @@ impl EventLog {
     pub fn flush(&mut self) -> Result<(), ReportError> {
         self.file
             .write_all(&self.encoder.lines)
+            .and_then(|()| self.file.flush())
             .map_err(ReportError::writing(&self.path))?;
         self.encoder.lines.clear();
         self.written = Instant::now();
@@ -157,13 +162,25 @@ pub struct Reader<R> {
     ended: bool,
 }
 
-impl Reader<BufReader<File>> {
+/// The text of a log in a file, which is compressed or not.
+pub type LogFile<'f> = Box<dyn BufRead + 'f>;
+
+/// Returns the text of a log, which may be compressed.
+fn unpacked<'f>(mut packed: impl BufRead + 'f) -> io::Result<LogFile<'f>> {
+    match packed.fill_buf()?.starts_with(GZIP) {
+        true => Ok(Box::new(BufReader::new(MultiGzDecoder::new(packed)))),
+        false => Ok(Box::new(packed)),
+    }
+}
+
+impl Reader<LogFile<'static>> {
     /// Opens a log.
     ///
     /// # Errors
     /// [`LogError::Read`] where the file cannot be opened.
-    pub fn open(path: &Path) -> Result<Reader<BufReader<File>>, LogError> {
-        Ok(Reader::new(BufReader::with_capacity(BATCH, File::open(path)?)))
+    pub fn open(path: &Path) -> Result<Reader<LogFile<'static>>, LogError> {
+        let file = BufReader::with_capacity(BATCH, File::open(path)?);
+        Ok(Reader::new(unpacked(file)?))
     }
 }
 
@@ -221,7 +238,12 @@ impl<R: BufRead> Reader<R> {
     /// Reads one line; `None` at the end, `Some(None)` where the line is no event.
     fn read_line(&mut self) -> Result<Option<Option<Event>>, LogError> {
         self.line.clear();
-        if self.input.read_until(b'\n', &mut self.line)? == 0 {
+        match self.input.read_until(b'\n', &mut self.line) {
+            // A machine that died left a compressed log without its end.
+            Err(error) if error.kind() != ErrorKind::UnexpectedEof => return Err(error.into()),
+            _ => {}
+        }
+        if self.line.is_empty() {
             return if self.number == 0 {
                 Err(LogError::Empty)
             } else {
@@ -300,11 +322,15 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
     }
 }
 
-/// Describes a text that is a report of a run, such as `the event log of a run, of format 3`, for messages about a file that
-/// is not of the wanted kind; returns `None` for other texts.
-pub fn recognize(text: &[u8]) -> Option<String> {
-    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
-    match (check_format(line), serde_json::from_slice::<FormatVersion>(line)) {
+/// Describes a file that is a report of a run, such as `the event log of a run, of format 3`, for messages about a file that
+/// is not of the wanted kind; returns `None` for other files.
+pub fn recognize(file: &[u8]) -> Option<String> {
+    let mut line = Vec::new();
+    unpacked(file).ok()?.read_until(b'\n', &mut line).ok()?;
+    match (
+        check_format(&line),
+        serde_json::from_slice::<FormatVersion>(&line),
+    ) {
         (Err(LogError::Results { format }), _) => {
             Some(format!("the results.json of a run, of format {format}"))
         }

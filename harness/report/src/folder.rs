@@ -7,8 +7,7 @@ use crate::junit::Junit;
 use crate::overview::Overview;
 use crate::page::Page;
 use crate::pending::PendingFile;
-use crate::results::Results;
-use crate::{badge, code_quality, sarif, summary};
+use crate::{badge, code_quality, results, sarif, summary};
 use std::fs;
 use std::path::Path;
 use stickler_conversions::overview::Statements;
@@ -25,7 +24,6 @@ pub struct Reports {
 /// The files of a run's reports.
 struct ReportFiles {
     events: EventLog,
-    results: Results,
     junit: Junit,
     discrepancies: Discrepancies,
     page: Page,
@@ -38,7 +36,8 @@ type Content = fn(&Overview) -> serde_json::Result<Vec<u8>>;
 
 /// The reports that are made of the overview of a whole run, by the names of their files. A run that was cut short gets none of them, since
 /// they could not show what is missing, and services take what is missing for mended.
-const OF_OVERVIEW: [(&str, Content); 4] = [
+const OF_OVERVIEW: [(&str, Content); 5] = [
+    (results::NAME, results::json),
     ("badge.json", badge::json),
     ("results.sarif", sarif::json),
     ("gl-code-quality-report.json", code_quality::json),
@@ -104,7 +103,6 @@ impl ReportFiles {
         fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
         Ok(ReportFiles {
             events: EventLog::create(folder.join(events::NAME))?,
-            results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
             discrepancies: Discrepancies::create(folder, prose)?,
             page: Page::create(folder.join("index.html"), statements)?,
@@ -116,8 +114,7 @@ impl ReportFiles {
     }
 
     fn take(&mut self, event: &Event) -> Result<(), ReportError> {
-        let group = self.events.take_case(event)?;
-        self.results.take(event)?;
+        let group = self.events.take(event)?;
         self.junit.take(event, group);
         self.discrepancies.take(event);
         self.page.take(event, group);
@@ -127,7 +124,6 @@ impl ReportFiles {
     fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         self.events.flush()?;
         let groups = self.events.groups();
-        self.results.finish(overview)?;
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
         self.page.finish(overview, groups)?;
@@ -154,7 +150,7 @@ mod tests {
         write(folder.path(), &sample::run());
         let events = sample::run();
         write(folder.path(), &events[..events.len() - 1]);
-        assert_eq!(sample::names(folder.path()), ["events.jsonl"]);
+        assert_eq!(sample::names(folder.path()), ["events.jsonl.gz"]);
     }
 
     #[test]

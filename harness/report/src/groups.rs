@@ -47,17 +47,6 @@ impl Group {
         }
     }
 
-    fn holds(&self, case: &CaseEvent) -> bool {
-        self.dialect == case.dialect
-            && self.id == probe(&case.id)
-            && (self.open, self.grade) == (case.open, case.grade)
-            && self.engine == case.engine
-            && self.title == case.title
-            && self.basis == case.basis
-            && self.file == case.file
-            && self.area == case.area
-    }
-
     /// Returns the arguments of the probe in the id of a case: `(SINT,INT,-128)`, or an empty text.
     pub(crate) fn arguments(id: &str) -> &str {
         &id[probe(id).len()..]
@@ -67,33 +56,16 @@ impl Group {
 /// The number of a group in [`Groups`].
 pub(crate) type GroupNumber = usize;
 
-/// The number of recent groups that are searched before the table of all groups, since the cases of a probe alternate
-/// between dialects.
-const MAX_RECENT: usize = 16;
-
 /// The groups of a run, numbered in the order of their first cases.
 #[derive(Default)]
 pub(crate) struct Groups {
     all: IndexSet<Group>,
-    /// The groups of the latest cases, the last one first.
-    recent: Vec<GroupNumber>,
 }
 
 impl Groups {
     /// Returns the number of the group of a case, and whether the group is new.
     pub(crate) fn number(&mut self, case: &CaseEvent) -> (GroupNumber, bool) {
-        let known = self
-            .recent
-            .iter()
-            .position(|&number| self.all[number].holds(case));
-        if let Some(place) = known {
-            self.recent[..=place].rotate_right(1);
-            return (self.recent[0], false);
-        }
-        let (number, is_new) = self.all.insert_full(Group::of(case));
-        self.recent.insert(0, number);
-        self.recent.truncate(MAX_RECENT);
-        (number, is_new)
+        self.all.insert_full(Group::of(case))
     }
 
     /// Returns the group of this number.
@@ -109,7 +81,7 @@ impl Groups {
 
 #[cfg(test)]
 mod tests {
-    use super::{Group, Groups, MAX_RECENT};
+    use super::{Group, Groups};
     use crate::sample;
     use stickler_run::{CaseEvent, Verdict};
 
@@ -133,17 +105,5 @@ mod tests {
         assert_eq!(groups.of_number(1).id, "widening/a::q");
         assert_eq!(Group::arguments("a::p(1,(2))"), "(1,(2))");
         assert_eq!(Group::arguments("a"), "");
-    }
-
-    #[test]
-    fn a_group_keeps_its_number_however_many_come_between() {
-        let case = |number: usize| sample::case(&format!("a::p{number}(1)"), Verdict::Pass);
-        let mut groups = Groups::default();
-        for number in 0..2 * MAX_RECENT {
-            assert_eq!(groups.number(&case(number)), (number, true));
-        }
-        for number in 0..2 * MAX_RECENT {
-            assert_eq!(groups.number(&case(number)), (number, false));
-        }
     }
 }

@@ -1,19 +1,20 @@
 //! `junit.xml`: the run for continuous integration. The first test suite holds one test for each claim. Where case files are
 //! broken, a test suite for them follows, and where entries of baselines are out of date, one for those. Then comes one test
-//! suite for each engine, dialect and area: a test for each case that did not pass, and for each probe one test for all of
-//! its cases that did. The cases of a probe that an engine does not support also share one test, which is skipped.
+//! suite for each engine, dialect and area: a test for each case that did not pass and that reports list, one for all others of a
+//! verdict, and for each probe one test for all of its cases that did pass. The cases of a probe that an engine does not support also share
+//! one test, which is skipped.
 //!
 //! The document is built with quick-junit, which writes XML that JUnit's readers accept.
 
 mod case;
 
+use crate::ReportError;
 use crate::claims::Claim;
 use crate::groups::{Group, GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
-use crate::{ReportError, overview};
 use indexmap::IndexMap;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::collections::BTreeMap;
@@ -21,15 +22,16 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_run::{CaseEvent, EngineHeader, Event, Fact, Verdict};
+use stickler_run::{CaseEvent, Event, Fact, Verdict};
 use stickler_types::counted;
 
 /// The tests of a run, gathered because the file separates test suites whose cases alternate in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
     suites: BTreeMap<String, TestSuite>,
+    /// The number of cases without a test, by suite and verdict.
+    others: BTreeMap<(String, Verdict), u64>,
     groups: Vec<GroupTally>,
-    engines: Vec<EngineHeader>,
 }
 
 /// The counts of those cases of a group that share a test, by their verdict.
@@ -95,33 +97,45 @@ impl Junit {
         Ok(Junit {
             file: PendingFile::create(path)?,
             suites: BTreeMap::new(),
+            others: BTreeMap::new(),
             groups: Vec::new(),
-            engines: Vec::new(),
         })
     }
 
     /// Adds one event, with the group of a case.
     pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) {
-        match (event, group) {
-            // The times of header and footer are taken from the overview, when the document is written.
-            (Event::Header(header), _) => self.engines.clone_from(&header.engines),
-            (Event::Case(case), Some(group)) => self.take_case(case, group),
-            (Event::Case(_) | Event::Cause(_) | Event::Footer(_), _) => {}
-        }
-    }
-
-    fn take_case(&mut self, case: &CaseEvent, group: GroupNumber) {
+        let (Event::Case(case), Some(group)) = (event, group) else {
+            return;
+        };
         if self.groups.len() <= group {
             self.groups.resize_with(group + 1, GroupTally::default);
         }
-        match case.verdict {
-            Verdict::Pass | Verdict::Unsupported | Verdict::Waiting => {
-                self.groups[group].entry(case.verdict).or_default().take(case);
+        if shares_test(case.verdict) {
+            self.groups[group].entry(case.verdict).or_default().take(case);
+        } else {
+            let name = suite_name(&case.engine, &case.dialect, &case.area);
+            *self.others.entry((name, case.verdict)).or_default() += 1;
+        }
+    }
+
+    /// Adds the tests of the listed cases that did not pass, and of each suite one for all other cases of a verdict.
+    fn add_cases(&mut self, overview: &Overview) {
+        for case in overview.listed.iter().filter(|case| !shares_test(case.verdict)) {
+            let name = suite_name(&case.engine, &case.dialect, &case.area);
+            let test = case::test(case, overview.engine(&case.engine));
+            let suite = suite_of(&mut self.suites, name.clone());
+            add(suite, test, case.duration_us);
+            if let Some(others) = self.others.get_mut(&(name, case.verdict)) {
+                *others -= 1;
             }
-            _ => {
-                let name = suite_name(&case.engine, &case.dialect, &case.area);
-                let test = case::test(case, overview::named(&self.engines, &case.engine));
-                add(suite_of(&mut self.suites, name), test, case.duration_us);
+        }
+        for ((name, verdict), others) in std::mem::take(&mut self.others) {
+            if let (1.., Some((status, message))) = (others, case::kind(verdict)) {
+                let cases = counted(others, "more case", "more cases");
+                let message = format!("{message}: {cases} that events.jsonl.gz has");
+                let status = problem(status, verdict.as_str(), &message, "");
+                let test = TestCase::new(format!("{cases}: {verdict}"), status);
+                add(suite_of(&mut self.suites, name), test, 0);
             }
         }
     }
@@ -155,6 +169,7 @@ impl Junit {
         let Some(footer) = &overview.footer else {
             return Ok(());
         };
+        self.add_cases(overview);
         self.add_tallies(groups);
         let path = self.file.path().to_owned();
         let mut report = Report::new("stickler");
@@ -170,6 +185,11 @@ impl Junit {
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
+}
+
+/// Returns whether the cases of a probe with this verdict share a test.
+fn shares_test(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Pass | Verdict::Unsupported | Verdict::Waiting)
 }
 
 /// Returns the name of the test suite of an engine, a dialect and an area.

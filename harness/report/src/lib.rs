@@ -2,7 +2,7 @@
 //!
 //! | module | file | for |
 //! |---|---|---|
-//! | [`events`] | `events.jsonl` | the stream itself, written while the run goes on; the only file that a run leaves when it is cut short |
+//! | [`events`] | `events.jsonl.gz` | the stream itself, written while the run goes on; the only file that a run leaves when it is cut short |
 //! | `results` | `results.json` | programs that want numbers and failures |
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
@@ -40,6 +40,7 @@ mod folder;
 mod golden_tests;
 mod groups;
 mod junit;
+mod listed;
 mod markdown;
 pub mod observations;
 pub mod overview;

@@ -1,15 +1,13 @@
 //! The overview of a run for people, gathered once for the terminal and the Markdown summary.
 
 use crate::claims::{Claims, entry};
+use crate::listed::ListedCases;
 use crate::observations::Observations;
 use std::collections::BTreeMap;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, Event, Footer, Grade, Header, OutdatedEntry, Source, Totals, Verdict,
     clip_facts,
 };
-
-/// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
-pub const MAX_KEPT_FAILURES: usize = 500;
 
 /// The maximum number of lines that are kept of each text of a failing case.
 const MAX_KEPT_LINES: usize = 100;
@@ -23,10 +21,10 @@ pub struct Overview {
     pub claims: Claims,
     /// The verdict counts by engine, dialect and area.
     pub totals: BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
-    /// The first [`MAX_KEPT_FAILURES`] cases that did not come out as expected.
-    pub failures: Vec<CaseEvent>,
     /// The number of all cases that did not come out as expected.
     pub failed: u64,
+    /// The cases that did not pass and that reports list whole.
+    pub(crate) listed: ListedCases,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     pub observations: u64,
     /// The observations of all engines.
@@ -58,11 +56,11 @@ impl Overview {
         let dialects = entry(&mut self.totals, &case.engine);
         let areas = entry(dialects, &case.dialect);
         entry(areas, &case.area).count(case.verdict);
+        if case.verdict != Verdict::Pass {
+            self.listed.take(case);
+        }
         if !case.verdict.is_as_expected() {
             self.failed += 1;
-            if self.failures.len() < MAX_KEPT_FAILURES {
-                self.failures.push(kept(case));
-            }
         }
     }
 
@@ -83,10 +81,16 @@ impl Overview {
         causes.into_iter().partition(|cause| !cause.is_partly_reduced())
     }
 
-    /// Returns the kept failing cases that no cause explains: no cause is searched for what passed unexpectedly, and of some
+    /// Returns the listed cases that did not come out as expected.
+    pub(crate) fn failures(&self) -> impl Iterator<Item = &CaseEvent> {
+        let listed = self.listed.iter();
+        listed.filter(|case| !case.verdict.is_as_expected())
+    }
+
+    /// Returns the listed failing cases that no cause explains: no cause is searched for what passed unexpectedly, and of some
     /// engines none is known.
     pub(crate) fn unexplained_failures(&self) -> impl Iterator<Item = &CaseEvent> {
-        self.failures.iter().filter(|case| {
+        self.failures().filter(|case| {
             let is_known = |cause: &Cause| cause.engine == case.engine;
             case.verdict == Verdict::Xpass || !self.causes.iter().any(is_known)
         })
@@ -167,9 +171,9 @@ pub(crate) fn rerun(engine: Option<&EngineHeader>, case: &CaseEvent) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_KEPT_FAILURES, Overview};
+    use super::Overview;
     use crate::sample;
-    use stickler_run::{CaseEvent, Fact, Verdict};
+    use stickler_run::{CaseEvent, Verdict};
 
     fn overview(cases: Vec<CaseEvent>) -> Overview {
         sample::overview(&sample::run_of(cases))
@@ -178,23 +182,8 @@ mod tests {
     #[test]
     fn what_is_as_expected_is_counted_and_only_what_is_not_is_kept() {
         let overview = overview(Verdict::ALL.map(|verdict| sample::case("a", verdict)).to_vec());
-        assert_eq!((overview.failed, overview.failures.len()), (5, 5));
+        assert_eq!((overview.failed, overview.failures().count()), (5, 5));
         assert_eq!(overview.sum().all(), 10);
         assert_eq!(overview.areas(), ["widening"]);
-    }
-
-    #[test]
-    fn memory_does_not_grow_with_the_failures_of_a_run() {
-        let huge = CaseEvent {
-            got: vec![sample::reported(3, "", &"y".repeat(1 << 14))],
-            ..sample::case("a", Verdict::Fail)
-        };
-        let overview = overview((0..MAX_KEPT_FAILURES + 20).map(|_| huge.clone()).collect());
-        assert_eq!(
-            (overview.failed, overview.failures.len()),
-            (MAX_KEPT_FAILURES as u64 + 20, MAX_KEPT_FAILURES)
-        );
-        let length = |case: &CaseEvent| Fact::text(&case.got).len();
-        assert!(overview.failures.iter().all(|case| length(case) < 2000));
     }
 }

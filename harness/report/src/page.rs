@@ -1,7 +1,7 @@
 //! `index.html`: the run as one page that a browser opens, without anything else.
 //!
 //! The page is a skeleton, a style sheet and scripts, which stand in files of their own beside this module and are part of the
-//! program, and the data of the run as JSON, in elements that no browser runs. The scripts build what is looked at, and only
+//! program, and the data of the run as JSON, compressed (gzip) and in Base64, in elements that no browser runs. The scripts build what is looked at, and only
 //! through the interface of the document, so that no text of a run becomes markup.
 //!
 //! | element | data |
@@ -22,19 +22,17 @@ use crate::pending::PendingFile;
 use answers::AnswersData;
 pub(crate) use answers::PageAnswers;
 use cases::MissedCases;
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use serde::Serialize;
-use serde_json::Serializer;
-use serde_json::ser::Formatter;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use stickler_conversions::overview::Statements;
-use stickler_run::{Event, Totals, Verdict};
+use stickler_run::{Event, Verdict};
 
 /// The page of a run, gathered until it is written.
 pub(crate) struct Page {
     file: PendingFile,
-    /// The verdict counts of each group of cases, by the number of the group.
-    totals: Vec<Totals>,
     cases: MissedCases,
     statements: Statements,
     answers: PageAnswers,
@@ -80,7 +78,6 @@ impl Page {
     pub(crate) fn create(path: PathBuf, statements: Statements) -> Result<Page, ReportError> {
         Ok(Page {
             file: PendingFile::create(path)?,
-            totals: Vec::new(),
             cases: MissedCases::default(),
             statements,
             answers: PageAnswers::default(),
@@ -91,10 +88,6 @@ impl Page {
     pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) {
         match (event, group) {
             (Event::Case(case), Some(group)) => {
-                if self.totals.len() <= group {
-                    self.totals.resize_with(group + 1, Totals::default);
-                }
-                self.totals[group].count(case.verdict);
                 let number = (case.verdict != Verdict::Pass)
                     .then(|| self.cases.take(case, group))
                     .flatten();
@@ -116,7 +109,7 @@ impl Page {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        let cases = self.cases.into_data(groups, &self.totals);
+        let cases = self.cases.into_data(groups);
         self.answers.add_recordings(&self.statements, &overview.engines());
         write(
             &mut self.file,
@@ -131,33 +124,32 @@ impl Page {
 
 /// Writes an element with data that a script reads.
 fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()> {
-    write!(out, "<script type=\"application/json\" id=\"data-{id}\">")?;
-    write_json(out, value)?;
-    out.write_all(b"</script>\n")
+    let mut packed = GzEncoder::new(Vec::new(), Compression::default());
+    serde_json::to_writer(&mut packed, value)?;
+    let text = base64(&packed.finish()?);
+    writeln!(
+        out,
+        "<script type=\"text/plain\" id=\"data-{id}\">{text}</script>"
+    )
 }
 
-/// A compact format that escapes `<`, so that no text of the data ends the element or begins a comment in it.
-struct ScriptFormatter;
-
-impl Formatter for ScriptFormatter {
-    fn write_string_fragment<W: ?Sized + Write>(&mut self, out: &mut W, fragment: &str) -> io::Result<()> {
-        let mut pieces = fragment.split('<');
-        out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
-        for piece in pieces {
-            out.write_all(br"\u003c")?;
-            out.write_all(piece.as_bytes())?;
+/// Returns bytes in Base64 (RFC 4648), whose digits end no element.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or_default());
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for digit in 0..4 {
+            let index = (bits >> (18 - 6 * digit)) as usize % 64;
+            text.push(if digit <= three.len() {
+                DIGITS[index].into()
+            } else {
+                '='
+            });
         }
-        Ok(())
     }
-}
-
-/// Writes a value as JSON without the character `<`.
-///
-/// # Errors
-/// Errors of writing to `out`.
-fn write_json(out: &mut impl Write, value: &impl Serialize) -> io::Result<()> {
-    let mut serializer = Serializer::with_formatter(out, ScriptFormatter);
-    Ok(value.serialize(&mut serializer)?)
+    text
 }
 
 /// The style sheet.

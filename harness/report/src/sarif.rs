@@ -206,7 +206,7 @@ fn mistakes(header: &Header, overview: &Overview) -> Vec<Value> {
 /// Returns the note on cases that no result tells of; none where there is no such case.
 fn left_out(cases: u64) -> Vec<Value> {
     let more = counted(cases, "more case is", "more cases are");
-    let text = format!("{more} not as expected and left out here; results.json has all");
+    let text = format!("{more} not as expected and left out here; events.jsonl.gz has all");
     let note = (cases > 0).then(|| notification("warning", &text));
     note.into_iter().collect()
 }

@@ -1,4 +1,4 @@
-//! Tests the published schemas of `events.jsonl` and `results.json`, what is written against them, and what is refused.
+//! Tests the published schemas of `events.jsonl.gz` and `results.json`, what is written against them, and what is refused.
 //!
 //! To write the schemas again after a change: `cargo xtask bless`.
 
@@ -6,12 +6,14 @@ use crate::events::{self, LogLine};
 use crate::golden_tests::{self, difference};
 use crate::results::{self, ResultsDocument};
 use crate::sample;
+use flate2::read::GzDecoder;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
 use stickler_mdtest::schema as schema_check;
@@ -65,7 +67,9 @@ fn what_a_run_writes_fits_the_schemas_and_has_every_key_of_the_document() {
 /// Asserts that the log and the results in a folder of reports fit their schemas, and that the results have every key of theirs.
 pub(crate) fn assert_fits(reports: &Path) {
     let schemas = ["events", "results"].map(|report| read(published(report)));
-    let log = fs::read_to_string(reports.join(events::NAME)).expect("a log");
+    let mut log = String::new();
+    let packed = fs::File::open(reports.join(events::NAME)).expect("a log");
+    GzDecoder::new(packed).read_to_string(&mut log).expect("text");
     for line in log.lines() {
         let line: Value = serde_json::from_str(line).expect("JSON");
         assert_eq!(schema_check::misfit(&schemas[0], &line), None, "{line}");

@@ -168,16 +168,16 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
         "\n## Not as expected\n\nA page for each cause is in `{NAME}/`, beside this file.\n"
     ));
     causes(overview, page);
-    let shown = overview.failures.iter().take(MAX_SHOWN_FAILURES);
+    let shown: Vec<&CaseEvent> = overview.failures().take(MAX_SHOWN_FAILURES).collect();
     let tried = shown.len() as u64;
     page.left_out = 0;
-    shown.for_each(|case| page.add(&failure(case, overview)));
+    shown.iter().for_each(|case| page.add(&failure(case, overview)));
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
         let _ = write!(
             page.text,
-            "\n... and {rest} more; `events.jsonl` and `junit.xml` have them all.\n"
+            "\n... and {rest} more; `events.jsonl.gz` has them all.\n"
         );
     }
 }

@@ -73,7 +73,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     let shown: Vec<&CaseEvent> = match (around.failures, around.detail) {
-        (Some(number), _) => overview.failures.iter().take(number).collect(),
+        (Some(number), _) => overview.failures().take(number).collect(),
         (None, Detail::Result) => return Ok(()),
         (None, _) => overview.unexplained_failures().take(SHOWN_FAILURES).collect(),
     };
@@ -88,7 +88,7 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
     let rest = overview.failed.saturating_sub(shown.len() as u64);
     if rest > 0 && overview.causes.is_empty() {
         let place = match around.reports {
-            Some(folder) => format!("all are in {folder}/events.jsonl and {folder}/junit.xml"),
+            Some(folder) => format!("all are in {folder}/events.jsonl.gz"),
             None => "with --report DIR all are written to files".to_owned(),
         };
         writeln!(

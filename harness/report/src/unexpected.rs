@@ -10,6 +10,9 @@ use stickler_types::{counted, shortened};
 /// The maximum number of characters of a title.
 const MAX_TITLE: usize = 200;
 
+/// The maximum number of failing cases that have a message of their own.
+pub(crate) const MAX_CASES: usize = 500;
+
 /// A message about one thing that is not as expected.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Unexpected {
@@ -33,7 +36,7 @@ impl Unexpected {
     /// Returns the messages of a run, the causes first, those that explain most cases at the top.
     pub(crate) fn all(overview: &Overview) -> impl Iterator<Item = Unexpected> {
         let (small, unreduced) = overview.unexpected_causes();
-        let cases = overview.unexplained_failures();
+        let cases = overview.unexplained_failures().take(MAX_CASES);
         let lacks = overview.lacks.iter().filter(|lack| lack.is_failing_lack());
         let causes = lacks.chain(small).chain(unreduced);
         causes

@@ -16,7 +16,7 @@ use stickler_engines::Grade;
 use stickler_types::Question;
 
 /// The version of the event format.
-pub const FORMAT: u32 = 3;
+pub const FORMAT: u32 = 4;
 
 /// An event of a run. Its form in a log is up to the log.
 #[derive(Clone, PartialEq, Debug)]

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// `stickler bless`.
 #[derive(Args, Debug)]
 pub struct BlessArguments {
-    /// The folder of a run's reports, or its events.jsonl [default: reports/latest beside the folder of the cases]
+    /// The folder of a run's reports, or its events.jsonl.gz [default: reports/latest beside the folder of the cases]
     #[arg(value_name = "REPORT")]
     pub report: Option<PathBuf>,
     /// Only the baseline of this engine, by its name in the report; may be repeated [default: all but the reference]
@@ -26,7 +26,7 @@ pub struct BlessArguments {
 /// `stickler compare`.
 #[derive(Args, Debug)]
 pub struct CompareArguments {
-    /// The reports of the older run: their folder, or its events.jsonl
+    /// The reports of the older run: their folder, or its events.jsonl.gz
     #[arg(value_name = "OLD")]
     pub old: PathBuf,
     /// The reports of the newer run
@@ -40,7 +40,7 @@ pub struct CompareArguments {
 /// `stickler site`.
 #[derive(Args, Debug)]
 pub struct SiteArguments {
-    /// The reports of a run: their folder, or an events.jsonl that somebody handed in
+    /// The reports of a run: their folder, or an events.jsonl.gz that somebody handed in
     #[arg(value_name = "DIR")]
     pub runs: Vec<PathBuf>,
     /// Read the cases, of whose conversion functions the site tells, from DIR [default: conformance-cases here or above, or those

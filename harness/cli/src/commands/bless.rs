@@ -7,10 +7,10 @@ use crate::{baselines, output, run_plan};
 use anyhow::{Context, bail};
 use jiff::civil::Date;
 use std::fs;
-use std::io::{BufReader, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use stickler_engines::Reference;
-use stickler_report::events::Reader;
+use stickler_report::events::{self, Reader};
 use stickler_run::{Baseline, Blessing, ChangeKind, EngineRun, EntryChange, Event, Verdict, bless};
 use stickler_suite::Suite;
 use stickler_types::{DialectName, counted};
@@ -51,16 +51,15 @@ type Runs = (Date, Vec<EngineRun>);
 
 /// Reads the event log of a run; returns the dialects of stickler.toml that take part, and the run.
 fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
-    let path = match report.extension() {
-        Some(extension) if extension == "jsonl" => report.to_owned(),
-        _ => report.join("events.jsonl"),
+    let path = match report.is_file() {
+        true => report.to_owned(),
+        false => report.join(events::NAME),
     };
     let shown = path.display();
-    let file = fs::File::open(&path).with_context(|| format!("cannot read {shown}; a run writes it"))?;
+    let mut log = Reader::open(&path).with_context(|| format!("cannot read {shown}; a run writes it"))?;
     let mut day = None;
     let mut runs: Vec<EngineRun> = Vec::new();
     let mut dialects: Vec<DialectName> = Vec::new();
-    let mut log = Reader::new(BufReader::new(file));
     for event in &mut log {
         match event.with_context(|| format!("cannot read {shown}"))? {
             Event::Header(header) => {

@@ -3,12 +3,11 @@
 use crate::arguments::CompareArguments;
 use crate::exit::Exit;
 use anyhow::Context;
-use std::fs::File;
-use std::io::{BufReader, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use stickler_report::Comparison;
 use stickler_report::comparison::{self, ComparisonError};
-use stickler_report::events::{self, Reader};
+use stickler_report::events::{self, LogFile, Reader};
 
 /// Shows the cases that were fixed, that broke, that crash, and that are new or gone.
 ///
@@ -39,7 +38,7 @@ pub fn execute(arguments: &CompareArguments, out: &mut dyn Write) -> anyhow::Res
 }
 
 /// Opens the event log of a run; returns its path and its reader.
-fn open(path: &Path) -> anyhow::Result<(PathBuf, Reader<BufReader<File>>)> {
+fn open(path: &Path) -> anyhow::Result<(PathBuf, Reader<LogFile<'static>>)> {
     let path = events::locate(path);
     let reader = Reader::open(&path).with_context(|| path.display().to_string())?;
     Ok((path, reader))

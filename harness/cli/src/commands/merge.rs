@@ -6,12 +6,12 @@ use crate::documented::of_all_cases;
 use crate::exit::{self, Exit};
 use crate::{output, shell};
 use anyhow::bail;
-use std::fs::{self, File};
-use std::io::{BufReader, Write};
+use std::fs;
+use std::io::Write;
 use std::path::Path;
 use stickler_campaign::{Merged, Record, Store, merge};
 use stickler_report::Reports;
-use stickler_report::events::{self, Reader};
+use stickler_report::events::{self, LogFile, Reader};
 use stickler_report::parts::{self, RunPart};
 use stickler_report::terminal::{self, Surroundings};
 use stickler_types::counted;
@@ -133,7 +133,7 @@ fn of_run(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exi
 }
 
 /// Opens the event log of one part; returns it with its name.
-fn part(folder: &Path) -> RunPart<BufReader<File>> {
+fn part(folder: &Path) -> RunPart<LogFile<'static>> {
     RunPart {
         name: folder.display().to_string(),
         log: Reader::open(&events::locate(folder)),

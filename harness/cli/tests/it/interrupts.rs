@@ -39,7 +39,7 @@ fn ended(command: Child) -> String {
 
 /// Returns after how many cases the event log of the last run was cut short, and the number of its events.
 fn log(folder: &Path) -> (u64, usize) {
-    let mut log = Reader::open(&folder.join("reports/latest/events.jsonl")).expect("an event log");
+    let mut log = Reader::open(&folder.join("reports/latest/events.jsonl.gz")).expect("an event log");
     let events: Vec<_> = log.by_ref().collect::<Result<_, _>>().expect("a readable log");
     match log.check_complete() {
         Err(LogError::Truncated { cases }) => (cases, events.len()),
@@ -68,12 +68,15 @@ fn a_run_leaves_a_readable_log_that_is_marked_as_cut_short() {
     let run = under_way(&mut stickler(folder.path(), &["run", "--jobs", "1"]));
     let latest = folder.path().join("reports/latest");
     // The header is the first line.
-    wait_for(|| fs::read(latest.join("events.jsonl")).is_ok_and(|bytes| bytes.contains(&b'\n')));
+    wait_for(|| fs::read(latest.join("events.jsonl.gz")).is_ok_and(|bytes| bytes.len() > 10));
     interrupt(&run);
     let shown = ended(run);
     assert!(log(folder.path()).0 < 2000);
     assert!(shown.contains("Cut short after"), "{shown}");
-    assert!(shown.contains("events.jsonl, as far as the run came"), "{shown}");
+    assert!(
+        shown.contains("events.jsonl.gz, as far as the run came"),
+        "{shown}"
+    );
     let left = fs::read_dir(latest).expect("the folder").count();
     assert_eq!(left, 1, "only the log is left");
 }

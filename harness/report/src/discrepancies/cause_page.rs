@@ -94,7 +94,7 @@ pub(super) fn index(
         let cases = counted(unexplained, "case", "cases");
         let _ = write!(
             text,
-            "No page has room for {cases} of other kinds; `events.jsonl` has them.\n\n"
+            "No page has room for {cases} of other kinds; `events.jsonl.gz` has them.\n\n"
         );
     }
     text

@@ -56,35 +56,44 @@ pub(crate) struct CaseObject<'r> {
     verdict: Verdict,
     /// The number of the group.
     group: GroupNumber,
-    /// The arguments of the probe in the id of the case.
-    #[serde(default, skip_serializing_if = "str::is_empty")]
-    case: Cow<'r, str>,
     /// The time that the engine took, in microseconds.
     duration_us: u64,
-    /// The fingerprint of the expectation.
-    expects: u32,
-    /// The line of the case in the case file, from 1.
+    /// What is asked; missing where the object about a case before it asked the same of another engine or in another dialect.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    line: Option<u32>,
-    /// The expected facts.
-    #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
-    expected: Cow<'r, [Fact]>,
+    asked: Option<Cow<'r, AskedCase>>,
     /// The actual facts, side by side with the expected ones.
     #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
     got: Cow<'r, [Fact]>,
     /// The observations of the case.
     #[serde(default, skip_serializing_if = "<[Observed]>::is_empty")]
     observations: Cow<'r, [Observed]>,
-    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    program: Option<Cow<'r, str>>,
-    /// The question that the program asks, such as `implicit(INT,DINT)` or `REAL_TO_INT(REAL#2.5) : INT`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(test, schemars(with = "Option<String>"))]
-    question: Option<Cow<'r, Question>>,
     /// The note of the engine's baseline on the case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     baseline: Option<Cow<'r, BaselineNote>>,
+}
+
+/// The part of a case that is often the same for several engines and dialects, which follow each other in a log.
+#[derive(Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub(crate) struct AskedCase {
+    /// The arguments of the probe in the id of the case.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    case: String,
+    /// The fingerprint of the expectation.
+    expects: u32,
+    /// The line of the case in the case file, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    /// The expected facts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    expected: Vec<Fact>,
+    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    program: Option<String>,
+    /// The question that the program asks, such as `implicit(INT,DINT)` or `REAL_TO_INT(REAL#2.5) : INT`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(with = "Option<String>"))]
+    question: Option<Question>,
 }
 
 /// An array about a case that passed and has nothing more to tell: its group, the arguments of the probe in its id, its
@@ -108,18 +117,6 @@ impl<'r> PassedLine<'r> {
             case.expectation,
         ))
     }
-
-    fn whole(self) -> CaseObject<'r> {
-        let PassedLine(group, case, duration_us, expects) = self;
-        CaseObject {
-            verdict: Verdict::Pass,
-            group,
-            case,
-            duration_us,
-            expects,
-            ..CaseObject::default()
-        }
-    }
 }
 
 impl<'r> GroupLine<'r> {
@@ -131,27 +128,43 @@ impl<'r> GroupLine<'r> {
     }
 }
 
+impl AskedCase {
+    fn of(case: &CaseEvent) -> AskedCase {
+        AskedCase {
+            case: Group::arguments(&case.id).to_owned(),
+            expects: case.expectation,
+            line: case.line,
+            expected: case.expected.clone(),
+            program: case.program.as_deref().map(|program| kept(program).into_owned()),
+            question: case.question.clone(),
+        }
+    }
+}
+
 impl<'r> CaseObject<'r> {
-    pub(super) fn new(case: &'r CaseEvent, group: GroupNumber) -> CaseObject<'r> {
+    /// Returns the object about a case; `asked` is what the object before it asked, and becomes what this one asks.
+    pub(super) fn new(
+        case: &'r CaseEvent,
+        group: GroupNumber,
+        asked: &'r mut Option<AskedCase>,
+    ) -> CaseObject<'r> {
+        let now = Some(AskedCase::of(case));
+        let is_new = *asked != now;
+        *asked = now;
         CaseObject {
             verdict: case.verdict,
             group,
-            case: Group::arguments(&case.id).into(),
             duration_us: case.duration_us,
-            expects: case.expectation,
-            line: case.line,
-            expected: Cow::Borrowed(&case.expected),
+            asked: asked.as_ref().filter(|_| is_new).map(Cow::Borrowed),
             got: Cow::Borrowed(&case.got),
             observations: Cow::Borrowed(&case.observations),
-            program: case.program.as_deref().map(kept),
-            question: case.question.as_ref().map(Cow::Borrowed),
             baseline: case.baseline.as_ref().map(Cow::Borrowed),
         }
     }
 
-    fn event(self, group: &Group) -> CaseEvent {
+    fn event(self, asked: AskedCase, group: &Group) -> CaseEvent {
         CaseEvent {
-            id: format!("{}{}", group.id, self.case),
+            id: format!("{}{}", group.id, asked.case),
             dialect: group.dialect.clone(),
             engine: group.engine.clone(),
             verdict: self.verdict,
@@ -159,16 +172,16 @@ impl<'r> CaseObject<'r> {
             grade: group.grade,
             basis: group.basis.clone(),
             file: group.file.clone(),
-            line: self.line,
+            line: asked.line,
             area: group.area.clone(),
             title: group.title.clone(),
-            expectation: self.expects,
-            expected: self.expected.into_owned(),
+            expectation: asked.expects,
+            expected: asked.expected,
             got: self.got.into_owned(),
             duration_us: self.duration_us,
             observations: self.observations.into_owned(),
-            program: self.program.map(Cow::into_owned),
-            question: self.question.map(Cow::into_owned),
+            program: asked.program,
+            question: asked.question,
             baseline: self.baseline.map(Cow::into_owned),
         }
     }
@@ -185,19 +198,33 @@ struct Tag<'r> {
 #[derive(Default)]
 pub(super) struct Decoder {
     groups: Vec<Group>,
+    /// What the last object about a case asked.
+    asked: Option<AskedCase>,
 }
 
 impl Decoder {
     /// Returns the event of a line; `None` where the line describes a group. `number` is the number of the line.
     ///
     /// # Errors
-    /// [`LogError::Line`] where the line is none of a log; [`LogError::Group`] where the group of a case is unknown, or the
-    /// numbers of groups have a gap.
+    /// [`LogError::Line`] where the line is none of a log; [`LogError::Reference`] where the group of a case or what it asks is unknown,
+    /// or the numbers of groups have a gap.
     pub(super) fn event(&mut self, line: &[u8], number: u64) -> Result<Option<Event>, LogError> {
         let broken = |source| LogError::Line { line: number, source };
         if line.first() == Some(&b'[') {
             let record: PassedLine<'_> = serde_json::from_slice(line).map_err(broken)?;
-            return self.case(record.whole(), number);
+            let PassedLine(group, case, duration_us, expects) = record;
+            let asked = AskedCase {
+                case: case.into_owned(),
+                expects,
+                ..AskedCase::default()
+            };
+            let record = CaseObject {
+                verdict: Verdict::Pass,
+                group,
+                duration_us,
+                ..CaseObject::default()
+            };
+            return self.case(record, Some(asked), number);
         }
         let Tag { kind } = serde_json::from_slice(line).map_err(broken)?;
         // The kind is known, so each line is read once more as what it is, and what is wrong in it has its place in the line.
@@ -208,21 +235,31 @@ impl Decoder {
             "group" => {
                 let record: GroupLine<'_> = serde_json::from_slice(line).map_err(broken)?;
                 if record.number != self.groups.len() {
-                    return Err(LogError::Group { line: number });
+                    return Err(LogError::Reference { line: number });
                 }
                 self.groups.push(record.group.into_owned());
                 Ok(None)
             }
             _ => {
-                let record: CaseObject<'_> = serde_json::from_slice(line).map_err(broken)?;
-                self.case(record, number)
+                let mut record: CaseObject<'_> = serde_json::from_slice(line).map_err(broken)?;
+                if let Some(asked) = record.asked.take() {
+                    self.asked = Some(asked.into_owned());
+                }
+                self.case(record, self.asked.clone(), number)
             }
         }
     }
 
-    fn case(&self, record: CaseObject<'_>, number: u64) -> Result<Option<Event>, LogError> {
-        let group = self.groups.get(record.group);
-        let group = group.ok_or(LogError::Group { line: number })?;
-        Ok(Some(Event::Case(record.event(group))))
+    fn case(
+        &self,
+        record: CaseObject<'_>,
+        asked: Option<AskedCase>,
+        number: u64,
+    ) -> Result<Option<Event>, LogError> {
+        let unknown = LogError::Reference { line: number };
+        let (Some(group), Some(asked)) = (self.groups.get(record.group), asked) else {
+            return Err(unknown);
+        };
+        Ok(Some(Event::Case(record.event(asked, group))))
     }
 }

@@ -1,25 +1,27 @@
 //! Tests the event log: what is written is read back, and what is no log is named.
 
-use super::{EventLog, Reader, log_of, recognize};
+use super::{EventLog, NAME, Reader, log_of, recognize, unpacked};
 use crate::{LogError, sample};
 use std::fs;
 use stickler_mdtest::check_examples;
 use stickler_run::{CaseEvent, Event, FORMAT, Verdict};
 
-fn written(events: &[Event]) -> Vec<u8> {
+/// Returns the compressed log of a run.
+fn packed(events: &[Event]) -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("events.jsonl");
+    let path = folder.path().join(NAME);
     let mut log = EventLog::create(path.clone()).expect("a log");
     for event in events {
         log.take(event).expect("taken");
     }
     log.flush().expect("flushed");
+    // What a machine that dies now leaves.
     fs::read(path).expect("the log")
 }
 
 /// Returns the events of a log, and whether they are a whole run.
 fn read_back(bytes: &[u8]) -> Result<(Vec<Event>, Result<(), LogError>), LogError> {
-    let mut reader = Reader::new(bytes);
+    let mut reader = Reader::new(unpacked(bytes)?);
     let events = reader.by_ref().collect::<Result<_, _>>()?;
     Ok((events, reader.check_complete()))
 }
@@ -27,9 +29,20 @@ fn read_back(bytes: &[u8]) -> Result<(Vec<Event>, Result<(), LogError>), LogErro
 #[test]
 fn what_is_written_is_read_back() {
     let run = sample::run();
-    let (events, complete) = read_back(&written(&run)).expect("a log");
-    assert_eq!(events, run);
-    complete.expect("a whole run");
+    for log in [packed(&run), log_of(&run)] {
+        let (events, complete) = read_back(&log).expect("a log");
+        assert_eq!(events, run);
+        complete.expect("a whole run");
+    }
+}
+
+#[test]
+fn a_compressed_log_without_its_end_has_all_that_was_written() {
+    let run = sample::run();
+    let log = packed(&run);
+    let (events, complete) = read_back(&log[..log.len() - 30]).expect("a log");
+    assert!(events.len() < run.len() && events[..] == run[..events.len()]);
+    complete.expect_err("it has no footer");
 }
 
 /// Returns the log of a run to which something happened, or this text.
@@ -42,7 +55,7 @@ fn broken(log: &str) -> Vec<u8> {
         "with a line that is no event" => run.truncate(2),
         _ => {}
     }
-    let bytes = written(&run);
+    let bytes = log_of(&run);
     match log {
         "with half a last line" => bytes[..bytes.len() - 10].to_vec(),
         "with a line that is no event" => [&bytes[..], b"{}\n"].concat(),
@@ -100,6 +113,20 @@ fn a_passed_case_that_has_more_to_tell_is_written_whole() {
     };
     let run = sample::run_of(vec![of_baseline, sample::open_case("b"), with_line]);
     assert_eq!(read_back(&log_of(&run)).expect("a log").0, run);
+}
+
+#[test]
+fn what_several_engines_are_asked_is_written_once() {
+    let case = |engine: &str, id: &str| CaseEvent {
+        engine: engine.to_owned(),
+        program: Some(format!("PROGRAM {id}")),
+        ..sample::case(id, Verdict::Fail)
+    };
+    let [one, other] = ["one", "other"].map(|engine| case(engine, "a"));
+    let run = sample::run_of(vec![one.clone(), other, case("other", "b"), one]);
+    let log = log_of(&run);
+    assert_eq!(read_back(&log).expect("a log").0, run);
+    assert_eq!(String::from_utf8_lossy(&log).matches("PROGRAM a").count(), 2);
 }
 
 #[test]

@@ -29,10 +29,10 @@ function showCases(main, query) {
       run().causes.length === 0 ? null : choose("cause", [...causesByName().keys()], (name) => causesByName().get(name)?.title || name)),
     list);
   if (data.cases_left_out > 0) {
-    add(main, el("p.notice", {}, `${counted(data.cases_left_out, "case that did not pass is", "cases that did not pass are")} not listed here; results.json beside this page has all.`));
+    add(main, el("p.notice", {}, `${counted(data.cases_left_out, "case that did not pass is", "cases that did not pass are")} not listed here; events.jsonl.gz beside this page has all.`));
   }
   if (data.texts_left_out > 0) {
-    add(main, el("p.notice", {}, `The page has no room for ${counted(data.texts_left_out, "program or message", "programs and messages")}; results.json beside it has all.`));
+    add(main, el("p.notice", {}, `The page has no room for ${counted(data.texts_left_out, "program or message", "programs and messages")}; events.jsonl.gz beside it has all.`));
   }
   list.append(...listed(chosen));
 }

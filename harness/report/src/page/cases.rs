@@ -3,11 +3,12 @@
 use super::texts::{TextNumber, TextTable};
 use crate::groups::{Group, GroupNumber, Groups};
 use crate::text::{noted, visible};
+use indexmap::IndexSet;
 use serde::Serialize;
-use stickler_run::{CaseEvent, Fact, Grade, Totals, Verdict, clip_facts};
+use stickler_run::{CaseEvent, Fact, Grade, Verdict, clip_facts};
 use stickler_types::WordTable;
 
-/// The maximum number of cases that are listed; the others are counted by their group, and `results.json` has them all.
+/// The maximum number of cases that are listed; the others are counted, and the event log has them all.
 const MAX_CASES: usize = 50_000;
 
 /// The maximum number of lines of what was expected or came.
@@ -17,6 +18,8 @@ const MAX_LINES: usize = 60;
 #[derive(Default)]
 pub(super) struct MissedCases {
     texts: TextTable,
+    /// The groups of the listed cases, in the order of their first cases.
+    groups: IndexSet<GroupNumber>,
     columns: Columns,
     left_out: u64,
 }
@@ -24,7 +27,7 @@ pub(super) struct MissedCases {
 /// The properties of the listed cases, each a list with an element for each case.
 #[derive(Default, Serialize)]
 struct Columns {
-    /// The number of the case's group.
+    /// The index of the case's group.
     group: Vec<usize>,
     /// The rest of the case's id behind that of its group, a number of a word.
     arguments: Vec<u32>,
@@ -54,11 +57,9 @@ struct GroupColumns {
     grade: Vec<Option<Grade>>,
     /// Whether the document leaves the result open: 1 or 0.
     open: Vec<u8>,
-    /// The number of cases with each verdict, in the order of [`Verdict::ALL`], up to the last verdict that occurs.
-    totals: Vec<Vec<u64>>,
 }
 
-/// The data of all groups, and of the cases that did not pass.
+/// The data of the cases that did not pass, and of their groups.
 #[derive(Serialize)]
 pub(super) struct CasesData {
     verdicts: Vec<&'static str>,
@@ -74,7 +75,7 @@ pub(super) struct CasesData {
 }
 
 impl GroupColumns {
-    fn push(&mut self, group: &Group, totals: &Totals, words: &mut WordTable) {
+    fn push(&mut self, group: &Group, words: &mut WordTable) {
         self.id.push(words.number(&group.id));
         self.dialect.push(words.number(&group.dialect));
         self.engine.push(words.number(&group.engine));
@@ -84,11 +85,6 @@ impl GroupColumns {
         self.area.push(words.number(&group.area));
         self.grade.push(group.grade);
         self.open.push(u8::from(group.open));
-        let mut counts: Vec<u64> = Verdict::ALL.iter().map(|&verdict| totals.of(verdict)).collect();
-        while counts.last() == Some(&0) {
-            counts.pop();
-        }
-        self.totals.push(counts);
     }
 }
 
@@ -97,6 +93,7 @@ impl MissedCases {
     pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) -> Option<usize> {
         let MissedCases {
             texts,
+            groups,
             columns,
             left_out,
         } = self;
@@ -114,7 +111,7 @@ impl MissedCases {
         columns
             .program
             .push(program.and_then(|program| texts.number(&visible(program))));
-        columns.group.push(group);
+        columns.group.push(groups.insert_full(group).0);
         columns
             .arguments
             .push(texts.words.number(Group::arguments(&case.id)));
@@ -126,11 +123,11 @@ impl MissedCases {
         Some(columns.baseline.len() - 1)
     }
 
-    /// Returns the data for the page, with the groups of the run and their verdict counts.
-    pub(super) fn into_data(mut self, groups: &Groups, totals: &[Totals]) -> CasesData {
+    /// Returns the data for the page, with the groups of the cases.
+    pub(super) fn into_data(mut self, groups: &Groups) -> CasesData {
         let mut columns = GroupColumns::default();
-        for (group, totals) in groups.all().zip(totals) {
-            columns.push(group, totals, &mut self.texts.words);
+        for &number in &self.groups {
+            columns.push(groups.of_number(number), &mut self.texts.words);
         }
         let (words, texts, texts_left_out) = self.texts.into_parts();
         CasesData {

@@ -1,12 +1,23 @@
-// The data of the page, which is read when it is needed first.
+// The data of the page, which is unpacked when the page opens and read when it is needed first.
 
+const unpacked = new Map();
 const parsed = new Map();
+
+/** Unpacks the data of all elements: JSON, compressed and in Base64. */
+async function unpackData() {
+  await Promise.all([...document.querySelectorAll("script[id^=data-]")].map(async (element) => {
+    const bytes = Uint8Array.from(atob(element.textContent), (character) => character.charCodeAt(0));
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    unpacked.set(element.id.slice("data-".length), await new Response(stream).text());
+    element.textContent = "";
+  }));
+}
 
 /** Returns the data of an element, or null where the page has none. */
 function dataOf(id) {
   if (!parsed.has(id)) {
-    const element = document.getElementById(`data-${id}`);
-    parsed.set(id, element === null ? null : JSON.parse(element.textContent));
+    parsed.set(id, unpacked.has(id) ? JSON.parse(unpacked.get(id)) : null);
+    unpacked.delete(id);
   }
   return parsed.get(id);
 }
@@ -88,9 +99,9 @@ function rerunOf(engine, id, dialect) {
 function failedCases() {
   const data = dataOf("cases");
   if (Array.isArray(data.groups)) return data;
-  const { grade, open, totals, ...named } = data.groups;
-  data.groups = totals.map((counts, number) => {
-    const group = { grade: grade[number], open: open[number] === 1, totals: counts };
+  const { grade, open, ...named } = data.groups;
+  data.groups = open.map((flag, number) => {
+    const group = { grade: grade[number], open: flag === 1 };
     for (const [key, column] of Object.entries(named)) group[key] = data.words[column[number]];
     return group;
   });

@@ -65,12 +65,18 @@ function showAddress() {
   main.dataset.view = found.name;
 }
 
-window.addEventListener("hashchange", () => {
+/** Shows the page whose data was unpacked. */
+function showPage() {
+  window.addEventListener("hashchange", () => {
+    showAddress();
+    // A keyboard goes on from the part that was opened.
+    if (!location.hash.startsWith("#main")) document.getElementById("main").focus({ preventScroll: true });
+    window.scrollTo(0, 0);
+  });
+  if (hasCases()) showHead();
+  else showSiteHead();
   showAddress();
-  // A keyboard goes on from the part that was opened.
-  if (!location.hash.startsWith("#main")) document.getElementById("main").focus({ preventScroll: true });
-  window.scrollTo(0, 0);
-});
-if (hasCases()) showHead();
-else showSiteHead();
-showAddress();
+}
+
+unpackData().then(showPage, (error) => document.getElementById("main").replaceChildren(
+  `This page needs a browser that unpacks gzip, as those of 2023 and later do; summary.md tells most of a run. (${error.message})`));

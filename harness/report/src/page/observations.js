@@ -35,6 +35,6 @@ function showObservations(main, query) {
       replaceAddress(addressOf("observations", { q: event.target.value }));
       show(event.target.value);
     } }))), list);
-  if (leftOut > 0) add(main, el("p.notice", {}, `${counted(leftOut, "list", "lists")} more are left out here; events.jsonl beside this page has all.`));
+  if (leftOut > 0) add(main, el("p.notice", {}, `${counted(leftOut, "list", "lists")} more are left out here; events.jsonl.gz beside this page has all.`));
   show(q);
 }

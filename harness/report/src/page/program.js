@@ -50,7 +50,7 @@ function difference(expected, got) {
 /** Returns what was expected and what came, as lines with signs. */
 function differenceView(expected, got) {
   if (expected === null || got === null) {
-    return el("p.notice", {}, "The page has no room for what was expected and what came; results.json beside it has both.");
+    return el("p.notice", {}, "The page has no room for what was expected and what came; events.jsonl.gz beside it has both.");
   }
   const word = { "-": "less", "+": "more", " ": "same" };
   const say = { "+": "expected", "-": "got", " ": "both" };

@@ -1,8 +1,9 @@
 //! Tests of the page as a file: what is in it, that texts stay texts, and that nothing is loaded.
 
-use super::{Page, SCRIPTS, STYLE, skeleton, write_json};
+use super::{Page, SCRIPTS, STYLE, base64, data, skeleton};
 use crate::groups::Groups;
 use crate::sample;
+use flate2::read::GzDecoder;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -41,10 +42,21 @@ pub(super) fn write(path: &Path, statements: Statements, events: &[Event]) {
 
 /// Returns the data of an element of the page.
 pub(crate) fn data_of(page: &str, id: &str) -> Value {
-    let start = format!("<script type=\"application/json\" id=\"data-{id}\">");
+    let start = format!("<script type=\"text/plain\" id=\"data-{id}\">");
     let (_, rest) = page.split_once(&start).expect("the element");
-    let (json, _) = rest.split_once("</script>").expect("its end");
-    serde_json::from_str(json).expect("JSON")
+    let (text, _) = rest.split_once("</script>").expect("its end");
+    serde_json::from_reader(GzDecoder::new(&*of_base64(text))).expect("JSON")
+}
+
+/// Returns the bytes of a text in Base64, behind which zeros may stand.
+fn of_base64(text: &str) -> Vec<u8> {
+    let digits = (0..64).map(|digit| base64(&[digit << 2]).as_bytes()[0]);
+    let digits: Vec<u8> = digits.collect();
+    let index = |byte: u8| digits.iter().position(|digit| *digit == byte).unwrap_or_default();
+    let four = |four: &[u8]| four.iter().fold(0, |bits, byte| bits << 6 | index(*byte));
+    let chunks = text.as_bytes().chunks(4);
+    let bytes = chunks.flat_map(|chunk| [16, 8, 0].map(|shift| (four(chunk) >> shift) as u8));
+    bytes.collect()
 }
 
 /// Returns the ids of the cases that the page lists, with their programs.
@@ -238,9 +250,19 @@ fn every_text_stands_out_from_its_ground_in_both_themes() {
 #[test]
 fn no_text_ends_the_element_and_all_texts_come_back() {
     let texts = ["</script><script>alert(1)</script>", "<!--", "a < b", "\"<\\"];
-    let mut bytes = Vec::new();
-    write_json(&mut bytes, &texts).expect("written");
-    assert!(!bytes.contains(&b'<'));
-    let read: Vec<String> = serde_json::from_slice(&bytes).expect("JSON");
-    assert_eq!(read, texts);
+    let mut element = Vec::new();
+    data(&mut element, "run", &texts).expect("written");
+    let element = String::from_utf8(element).expect("text");
+    assert_eq!(element.matches('<').count(), 2);
+    assert_eq!(data_of(&element, "run"), serde_json::json!(texts));
+}
+
+/// Basis: RFC 4648, 10.
+#[test]
+fn bytes_in_base64_are_padded() {
+    let texts = ["", "f", "fo", "foo", "foob", "fooba", "foobar"].map(|text| base64(text.as_bytes()));
+    assert_eq!(
+        texts,
+        ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"]
+    );
 }

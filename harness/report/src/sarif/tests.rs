@@ -1,8 +1,8 @@
 //! Tests the places of a report, and what it tells of results that it leaves out; golden texts show the rest.
 
 use super::{diagnostics_as_sarif, json, uri};
-use crate::overview::MAX_KEPT_FAILURES;
 use crate::sample;
+use crate::unexpected::MAX_CASES;
 use serde_json::Value;
 use stickler_mdtest::schema as schema_check;
 use stickler_run::Verdict;
@@ -19,15 +19,15 @@ pub(crate) fn assert_valid(report: &Value) {
 
 #[test]
 fn what_is_left_out_is_told() {
-    let cases = (0..MAX_KEPT_FAILURES + 20).map(|number| sample::case(&format!("a{number}"), Verdict::Fail));
+    let cases = (0..MAX_CASES + 20).map(|number| sample::case(&format!("a{number}"), Verdict::Fail));
     let text = json(&sample::overview(&sample::run_of(cases.collect()))).expect("JSON");
     let report: Value = serde_json::from_slice(&text).expect("JSON");
     assert_valid(&report);
     let run = &report["runs"][0];
-    assert_eq!(run["results"].as_array().map(Vec::len), Some(MAX_KEPT_FAILURES));
+    assert_eq!(run["results"].as_array().map(Vec::len), Some(MAX_CASES));
     assert_eq!(
         run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"],
-        "20 more cases are not as expected and left out here; results.json has all"
+        "20 more cases are not as expected and left out here; events.jsonl.gz has all"
     );
 }
 

@@ -20,7 +20,7 @@ pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> Stri
     let body = format!(
         "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
          supports.</p>\n{}{conversions}<h2>Changes</h2>\n<p><a href=\"feed.xml\">As an Atom feed</a></p>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
-         <code>events.jsonl</code> of any run of <code>stickler run --engine …</code>; <a href=\"events.schema.json\">the JSON \
+         <code>events.jsonl.gz</code> of any run of <code>stickler run --engine …</code>; <a href=\"events.schema.json\">the JSON \
          Schema</a> of its lines is beside this page.</p>\n",
         table(histories),
         changes(histories)

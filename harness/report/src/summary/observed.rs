@@ -26,7 +26,7 @@ pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     if cases > 0 {
         let cases = counted(cases, "case", "cases");
         page.add(&format!(
-            "\n... and in {cases} more; `events.jsonl` has all observations.\n"
+            "\n... and in {cases} more; `events.jsonl.gz` has all observations.\n"
         ));
     }
 }

@@ -16,7 +16,7 @@ const MAX_SHOWN: usize = 10;
 /// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) -> io::Result<()> {
     let engines: &[EngineHeader] = overview.header.as_ref().map_or(&[], |header| &header.engines);
-    for case in overview.failures.iter().take(failures.unwrap_or(MAX_SHOWN)) {
+    for case in overview.failures().take(failures.unwrap_or(MAX_SHOWN)) {
         failure::write(out, case, overview.engine(&case.engine), engines.len() > 1)?;
     }
     for engine in engines {
