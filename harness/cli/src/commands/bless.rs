@@ -56,7 +56,7 @@ fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
         false => report.join(events::NAME),
     };
     let shown = path.display();
-    let mut log = Reader::open(&path).with_context(|| format!("cannot read {shown}; a run writes it"))?;
+    let mut log = Reader::open(&path).with_context(|| format!("{shown}, which a run writes"))?;
     let mut day = None;
     let mut runs: Vec<EngineRun> = Vec::new();
     let mut dialects: Vec<DialectName> = Vec::new();
