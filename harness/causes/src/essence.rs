@@ -47,7 +47,7 @@ pub(crate) struct Essence {
     /// The symptom and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
     /// wrong reason.
     pub(crate) hidden: Option<(String, BTreeSet<String>)>,
-    /// What decides, in words, where a wrong value or a lost place tells it, whichever program shows it.
+    /// The words by which a title begins, where a wrong value or a lost place tells what decides, whichever program shows it.
     pub(crate) pattern: Option<&'static str>,
 }
 

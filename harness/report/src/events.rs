@@ -49,7 +49,7 @@ pub struct EventLog {
 #[derive(Default)]
 struct Encoder {
     groups: Groups,
-    /// What the last object about a case asked.
+    /// The question of the last object about a case.
     asked: Option<AskedCase>,
     /// The whole lines that are not written yet.
     lines: Vec<u8>,

@@ -58,7 +58,7 @@ pub(crate) struct CaseObject<'r> {
     group: GroupNumber,
     /// The time that the engine took, in microseconds.
     duration_us: u64,
-    /// What is asked; missing where the object about a case before it asked the same of another engine or in another dialect.
+    /// The question of the case; missing where the object about a case before it has the same question, asked of another engine or in another dialect.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     asked: Option<Cow<'r, AskedCase>>,
     /// The actual facts, side by side with the expected ones.
@@ -198,7 +198,7 @@ struct Tag<'r> {
 #[derive(Default)]
 pub(super) struct Decoder {
     groups: Vec<Group>,
-    /// What the last object about a case asked.
+    /// The question of the last object about a case.
     asked: Option<AskedCase>,
 }
 

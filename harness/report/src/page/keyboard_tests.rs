@@ -67,7 +67,7 @@ fn the_focus_goes_through_the_page_from_its_beginning_to_its_end() {
     assert!(place("search") < place("submit"));
 }
 
-/// What a person does in the browser, and what must come of it: the file `sessions.toml`.
+/// The sessions of the file `sessions.toml`: steps of a person in the browser, and the results that they must have.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Sessions {
