@@ -129,12 +129,21 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Pou> {
 pub(super) fn call(fault: &mut FaultSite<'_, '_>, arguments: &str) -> Option<()> {
     let original = fault.original;
     let least = if arguments.contains("{others}") { 2 } else { 1 };
+    let may_end_early = arguments == "{fewer}" && Dialect::of(original.dialect).outputs_by_position;
     let fitting = |site: ExpressionSite, expression: &Expression| {
         // An implicitly converted value has another type than its place.
         let own = !matches!(expression.kind, ExpressionKind::Widen(_));
         let functions = callable(original, site.unit).into_iter();
+        // Where outputs are given by position, a last input with an initial value may be left out.
+        let needs_last = |inputs: &[(&Variable, ElementaryType)]| {
+            let last = inputs.last();
+            !may_end_early || last.is_some_and(|(last, _)| last.initial.is_none())
+        };
         let suits = |function: &&Pou| {
-            own && function.result.as_ref() == Some(&expression.ty) && inputs(function).len() >= least
+            let inputs = inputs(function);
+            own && function.result.as_ref() == Some(&expression.ty)
+                && inputs.len() >= least
+                && needs_last(&inputs)
         };
         functions.filter(suits).collect::<Vec<_>>()
     };
