@@ -27,8 +27,8 @@ const UNCHECKED: &str = "unchecked";
 /// The beginning of the symptom of a mistake that is accepted.
 const ACCEPTED: &str = "accepted";
 
-/// The symptom of a mistake in a number that is told without its place.
-const NUMBER_WITHOUT_PLACE: &str = "no place number";
+/// The symptom of a mistake in a literal that is told without its place.
+const LITERAL_WITHOUT_PLACE: &str = "no place number";
 
 /// The features of a mistake of which the value is computed.
 const COMPUTING: [&str; 2] = ["operator", "conversion function"];
@@ -116,7 +116,7 @@ impl Essence {
         }
         Essence {
             symptom: named(&symptom),
-            pattern: pattern.or((symptom == NUMBER_WITHOUT_PLACE).then_some("mistake in a number")),
+            pattern: pattern.or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal")),
             constructs: features,
             labels,
             is_contained,
@@ -283,7 +283,7 @@ fn needs(
             ];
             let is_of_number = normal.way.is_some() || of_number.iter().any(|one| one.as_str() == code);
             let symptom = match is_of_number {
-                true => NUMBER_WITHOUT_PLACE.to_owned(),
+                true => LITERAL_WITHOUT_PLACE.to_owned(),
                 false => format!("no place {code}"),
             };
             (symptom, line.partial_accesses(), false)

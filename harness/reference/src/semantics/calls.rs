@@ -284,7 +284,10 @@ impl<'m> Lowering<'m> {
 
     fn drop_value(&mut self, value: LoweredValue) {
         let text = value.ty.elementary().is_some_and(ElementaryType::is_text);
-        self.emit([Instruction::Drop, Instruction::DropText][usize::from(text)]);
+        self.emit(match text {
+            true => Instruction::DropText,
+            false => Instruction::Drop,
+        });
     }
 
     fn refuse_callee(
