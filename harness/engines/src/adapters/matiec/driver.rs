@@ -13,7 +13,7 @@ use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use stickler_types::ElementaryType;
 
 /// The headers that every driver includes.
-pub(super) const HEADER: &str = "#include \"iec_std_lib.h\"\n#include <stdio.h>\n";
+pub(super) const HEADER: &str = "#include \"iec_std_lib.h\"\n#include <stdio.h>\n#include <time.h>\n";
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct MatiecSubject<'r, 'c> {
