@@ -117,6 +117,8 @@ pub enum ToldSymptom {
     Crash,
     /// A diagnostic has no place.
     NoPlace,
+    /// A fault at run time has no line.
+    FaultLine,
 }
 
 words! {
@@ -181,7 +183,7 @@ impl Sources {
             let mut names = source.sections.headings.iter().map(|(name, _)| name);
             let section = match symptom {
                 ToldSymptom::Crash => names.find(|name| said.contains(name.as_str()))?,
-                ToldSymptom::NoPlace => names.next()?,
+                ToldSymptom::NoPlace | ToldSymptom::FaultLine => names.next()?,
             };
             Some(format!("{}: {section}", source.key))
         })

@@ -37,7 +37,11 @@ impl Sources {
                         contradiction.is_of(basis, ("", &feature.program)) || cases.iter().any(is_shown)
                     })
                 };
-                let is_needed = cases.iter().any(is_claimed) || features.iter().any(is_promised);
+                // What a source says of a symptom, the page of a cause claims.
+                let is_told = |claim: &String| self.of(claim).is_some_and(|(of, _)| !of.symptoms.is_empty());
+                let is_needed = cases.iter().any(is_claimed)
+                    || features.iter().any(is_promised)
+                    || contradiction.claims.iter().any(is_told);
                 if !is_needed {
                     let message = format!("`{}` contradicts what no case claims", contradiction.section);
                     let mistake = Mistake::new(source.line, message).key(source.key.clone());
