@@ -1,6 +1,7 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is
 //! asked before the operation around it is blamed.
 
+use crate::beginning_block::is_beginning_block;
 use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
 use crate::smaller_case::all_values;
@@ -12,9 +13,7 @@ use stickler_reference::errors;
 use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{
-    Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind,
-};
+use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, StatementKind};
 use stickler_syntax::visitor::Place;
 use stickler_types::{DialectName, ElementaryType, Value};
 
@@ -331,17 +330,23 @@ fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone>
 /// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is
 /// multiplied by a number as it is.
 fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
-    let Some((operator, left, right)) = binary(program, part.id) else {
+    let operands = match (binary(program, part.id), program.call(part.id)) {
+        (Some((operator, left, right)), _) => {
+            (calculates(operator) || compares(operator)).then_some((left, right))
+        }
+        // A function of the library that calculates with two numbers does what its operator does.
+        (None, Some((callee, &[Argument::Positional(left), Argument::Positional(right)]))) => {
+            (!program.declares(callee)).then_some((left, right))
+        }
+        _ => None,
+    };
+    let Some((left, right)) = operands else {
         return Vec::new();
     };
     let (Some(first), Some(second)) = (program.type_of(left), program.type_of(right)) else {
         return Vec::new();
     };
-    if !(calculates(operator) || compares(operator))
-        || first == second
-        || !is_number(first)
-        || !is_number(second)
-    {
+    if first == second || !is_number(first) || !is_number(second) {
         return Vec::new();
     }
     let value = |id: ExpressionId, ty: ElementaryType| {
@@ -384,34 +389,4 @@ fn behind_arithmetic(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<
     other
         .map(|source| Alone::copied(source, target, program.some_value(source)))
         .collect()
-}
-
-/// The plainest programs with a variable of a function block that begins with a value: without a statement, and for those who
-/// demand one.
-const BEGINNING_BLOCKS: [&str; 2] = [
-    "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\nEND_FUNCTION_BLOCK\n\n\
-    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\nEND_PROGRAM\n",
-    "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
-    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n",
-];
-
-/// Returns whether a program is one of the plainest with a variable of a function block that begins with a value.
-pub(crate) fn is_beginning_block(program: &str) -> bool {
-    BEGINNING_BLOCKS.contains(&program)
-}
-
-/// Returns the plainest programs of which a function block has an initial value, for a program of which one has.
-pub(crate) fn beginning_blocks(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let mut blocks = program
-        .unit
-        .pous()
-        .filter(|pou| pou.kind == PouKind::FunctionBlock);
-    let begins = |pou: &Pou<'_>| {
-        let mut groups = pou.blocks.iter().flat_map(|block| &block.groups);
-        groups.any(|group| group.initializer.is_some())
-    };
-    match blocks.any(begins) {
-        true => BEGINNING_BLOCKS.map(str::to_owned).to_vec(),
-        false => Vec::new(),
-    }
 }

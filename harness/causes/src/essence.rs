@@ -7,11 +7,11 @@
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{DERIVED, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{DERIVED, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
-use crate::patterns::{has_first_bit, number_pattern};
+use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
@@ -29,6 +29,9 @@ const ACCEPTED: &str = "accepted";
 
 /// The symptom of a mistake in a literal that is told without its place.
 const LITERAL_WITHOUT_PLACE: &str = "no place number";
+
+/// The feature of a literal that its own type does not hold.
+pub(crate) const BEYOND_TYPE: &str = "typed literal beyond its type";
 
 /// The features of a mistake of which the value is computed.
 const COMPUTING: [&str; 2] = ["operator", "conversion function"];
@@ -95,11 +98,7 @@ impl Essence {
                 };
                 (symptom, words([way]), false)
             }
-            None if is_beyond => (
-                sign.symptom.word(),
-                words(["typed literal beyond its type"]),
-                false,
-            ),
+            None if is_beyond => (sign.symptom.word(), words([BEYOND_TYPE]), false),
             None => needs(&line, sign, smallest, (normal, is_unchecked)),
         };
         features.extend(is_unchecked.then(|| UNCHECKED.to_owned()));
@@ -170,6 +169,17 @@ fn needs(
                 true => ACCEPTED.to_owned(),
                 false => format!("{ACCEPTED} {code}"),
             };
+            // What has the name of another element of the library is found in one table.
+            let is_doubled = [
+                Code::TypeDeclNameDuplicated,
+                Code::PouDeclNameDuplicated,
+                Code::FunctionDeclNameDuplicated,
+            ]
+            .iter()
+            .any(|one| one.as_str() == code);
+            if is_doubled {
+                return (format!("{ACCEPTED} doubled name"), BTreeSet::new(), false);
+            }
             (symptom, features, names_construct)
         }
         // What the engine says of a literal depends on the place where it stands.
@@ -203,10 +213,12 @@ fn needs(
         }
         Symptom::NotImplemented(words) => {
             // What is missing at one place of a compiler is put right there, whatever needs it.
+            let mut features = line.of_missing(&normal.deviation.got);
             if let Some(place) = compiler_place(&normal.deviation.got) {
-                return (format!("not implemented at {place}"), BTreeSet::new(), false);
+                // A block has its variables elsewhere than the unit has its own.
+                features.retain(|feature| feature == INSTANCE);
+                return (format!("not implemented at {place}"), features, false);
             }
-            let features = line.of_missing(&normal.deviation.got);
             (format!("not implemented {words}"), features, true)
         }
         Symptom::OtherCode { code, reported } => {
@@ -323,6 +335,10 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
             Some(rejection(line, reported, &sign.at))
         }
+        // An engine that reads no escapes takes one that does not exist, and a text that ends behind `$'` for one that does not end.
+        Symptom::NotRejected(code) | Symptom::Rejected(code) if of_characters(code) && line.has_escape() => {
+            Some((Symptom::Value.word(), words([UNREAD_ESCAPES])))
+        }
         // Where no types are checked, derived ones are not.
         Symptom::NotRejected(_) if line.passes_derived() => {
             let mut features = line.of_mistake(true);
@@ -341,6 +357,14 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
         }
         _ => None,
     }
+}
+
+/// Returns whether a code says that the characters of a literal are wrong.
+fn of_characters(code: &str) -> bool {
+    matches!(
+        code.parse(),
+        Ok(Code::UnexpectedToken | Code::InvalidStringEscape)
+    )
 }
 
 /// Returns the name of the header that the engine wrote and a C compiler cannot read; `None` where it cannot read another file.

@@ -3,14 +3,15 @@
 use crate::failed::{FailedCases, FailureGroup, LackedFeatures};
 use crate::failure_sign::Sign;
 use crate::growing_cause::{GrowingCause, merged};
-use crate::normal_form::{Normal, normal_form};
+use crate::normal_form::normal_form;
 use crate::question::{Questioner, SearchAnswers};
-use crate::reduction::{LONG, Smallest, is_reducible, reduce};
+use crate::reduced_group::{OpenGroups, ReducedGroup};
+use crate::reduction::reduce;
 use crate::subjects::Subjects;
 use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
-use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom};
+use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Plan, Reduced, RunError, Verdict};
 use stickler_suite::{Case, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
 
@@ -181,64 +182,6 @@ fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, Str
     cases.map(|case| (key(case), case)).collect()
 }
 
-/// The smallest program of a group, and its normal form.
-struct ReducedGroup {
-    smallest: Smallest,
-    normal: Normal,
-    /// Whether more questions may make the program smaller.
-    is_open: bool,
-}
-
-impl ReducedGroup {
-    fn unreduced(event: &CaseEvent, sign: &Sign) -> ReducedGroup {
-        let mut smallest = Smallest::unreduced(event, sign);
-        // A program that must be rejected, and never ends, may be made smaller as one that is accepted.
-        let is_mistake = event.expected.iter().any(|fact| fact.diagnostic().is_some());
-        if is_reducible(&sign.symptom) || is_mistake && sign.symptom == Symptom::Hang {
-            smallest.reduction = Reduced::Partly;
-        }
-        ReducedGroup {
-            normal: Normal::unasked(&smallest),
-            smallest,
-            is_open: false,
-        }
-    }
-
-    /// Returns how far the program is from one that was made small; less is better.
-    fn distance(&self) -> (bool, usize) {
-        let is_partly = self.smallest.reduction == Reduced::Partly;
-        (is_partly, self.smallest.program.len())
-    }
-
-    /// Notes that no question was left for the rest of the search.
-    fn end_partly(&mut self) {
-        if self.smallest.reduction == Reduced::Smallest {
-            self.smallest.reduction = Reduced::Partly;
-        }
-    }
-
-    /// Removes the codes from the expected diagnostics where the engine is not asked for them.
-    fn without_codes(mut self, basis: &str, asked: &Questioner<'_>) -> ReducedGroup {
-        for deviation in [&mut self.smallest.deviation, &mut self.normal.deviation] {
-            let codes = deviation.expected.iter();
-            let codes = codes.filter_map(|fact| fact.diagnostic()?.registered_code());
-            if asked.judge.plan.needed_for(asked.judge.engine, basis, codes) != Grade::Code {
-                for fact in &mut deviation.expected {
-                    if let Fact::Diagnostic(expected) | Fact::Warning(expected) = fact {
-                        expected.code = None;
-                    }
-                }
-            }
-        }
-        self
-    }
-
-    /// Returns the number of times that the engine was asked.
-    fn questions(&self) -> u64 {
-        self.smallest.questions + self.normal.questions
-    }
-}
-
 /// Asks one engine about the programs of groups.
 pub(crate) struct Asking<'r> {
     pub(crate) engine: &'r dyn Engine,
@@ -273,25 +216,26 @@ impl Asking<'_> {
             .into_iter()
             .chain([most])
         {
-            let is_long = |at: &usize| found[*at].smallest.program.len() > LONG;
+            let is_long = |at: &usize| found[*at].is_long();
             let open = (0..shown.len()).filter(|at| found[*at].is_open);
             // A compiler may take seconds for each question about a long program, so that they are asked about once, in the end.
-            let mut open: Vec<usize> = open.filter(|at| tries == most || !is_long(at)).collect();
-            open.sort_by_key(is_long);
-            for wave in open.chunks(WAVE) {
+            let open = open.filter(|at| tries == most || !is_long(at)).collect();
+            let mut open = OpenGroups::new(open, &found);
+            while let Some(wave) = open.next(WAVE, tries == most, &found) {
                 let tries = tries.min(left / wave.len() as u64);
                 let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;
-                for (at, mut smaller) in wave.iter().zip(smallest) {
+                for (at, mut smaller) in wave.iter().copied().zip(smallest) {
                     left = left.saturating_sub(smaller.questions());
                     smaller.is_open &= tries < most && !(self.stop)();
                     progress(u64::from(!smaller.is_open));
-                    match smaller.distance() <= found[*at].distance() {
-                        true => found[*at] = smaller,
+                    match smaller.distance() <= found[at].distance() {
+                        true => found[at] = smaller,
                         // What was not asked to its end may show another cause.
-                        false if (self.stop)() => found[*at].end_partly(),
-                        false => found[*at].is_open = false,
+                        false if (self.stop)() => found[at].end_partly(),
+                        false => found[at].is_open = false,
                     }
                 }
+                open.note(wave.iter().map(|at| &found[*at]));
             }
         }
         Ok(found)
@@ -344,6 +288,7 @@ impl Asking<'_> {
                         is_open: smallest.reduction == Reduced::Partly || normal.questions >= left,
                         smallest,
                         normal,
+                        differs: event.verdict == Verdict::Differs,
                     };
                     if (self.stop)() {
                         found.end_partly();

@@ -12,12 +12,12 @@ use crate::reduction::{LONG, Smallest};
 use crate::subjects::Subjects;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
-use crate::words::{types_of, valued_types};
+use crate::words::{tokens, types_of, valued_types};
 use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
-use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
+use stickler_run::{Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_types::{Code, Dialect};
 
@@ -61,7 +61,10 @@ impl GrowingCause {
         let is_derived = hides || is_other || begins;
         // A value of quite another type shows best that none is checked.
         let is_as_small = normal.program.len() <= smallest.program.len();
-        let is_unchecked = smallest.deviation.sign.accepts() && normal.is_unchecked() && is_as_small;
+        let length = |program: &str| tokens(program).len();
+        let is_unchecked = smallest.deviation.sign.accepts()
+            && normal.is_unchecked()
+            && length(&normal.program) <= length(&smallest.program);
         // The same mistake shows best where nothing else is done.
         let is_plainer = smallest.deviation.sign.accepts()
             && normal.deviation.sign == smallest.deviation.sign
@@ -175,6 +178,7 @@ impl GrowingCause {
     /// Cites who promises the place that all cases have in common, where a valid program is not taken and no claim says why it must be: none
     /// speaks of it, or several do, each of what goes to that place.
     pub(crate) fn cite_place(&mut self, case: &Case, (engine, suite): (&Identity, &Suite)) {
+        self.cite_function(engine, suite);
         let basis = &self.cause.shown.basis;
         let has_others = self.cause.cases.iter().any(|some| some.basis != *basis);
         let shown = &mut self.cause.shown;
@@ -186,6 +190,25 @@ impl GrowingCause {
             shown.basis = basis.to_owned();
             shown.is_derived = false;
             self.rank = rank(basis, &engine.name, &suite.sources);
+        }
+    }
+
+    /// Cites the claim of a case that is about the standard function whose parameter refuses a value.
+    fn cite_function(&mut self, engine: &Identity, suite: &Suite) {
+        let constructs = &self.essence.constructs;
+        if self.differs || !constructs.contains(STANDARD_PARAMETER) {
+            return;
+        }
+        let is_about_function = |basis: &str| {
+            let section = basis.split_once(": ").map_or("", |(_, section)| section);
+            constructs.iter().any(|name| name.eq_ignore_ascii_case(section))
+        };
+        let binding =
+            |some: &&ExplainedCases| some.verdict != Verdict::Differs && is_about_function(&some.basis);
+        if let Some(some) = self.cause.cases.iter().find(binding) {
+            self.cause.shown.basis.clone_from(&some.basis);
+            self.cause.shown.is_derived = false;
+            self.rank = rank(&some.basis, &engine.name, &suite.sources);
         }
     }
 
@@ -285,10 +308,21 @@ fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<Str
     let symptom = match shown.deviation.sign.symptom {
         Symptom::Crash(_) => ToldSymptom::Crash,
         Symptom::NoPlace(_) => ToldSymptom::NoPlace,
+        Symptom::FaultLine(_) => ToldSymptom::FaultLine,
+        // What is told twice has a place each time.
+        Symptom::Surplus(_) if shown.deviation.is_told_twice() && has_lost_place(&shown.deviation.got) => {
+            ToldSymptom::NoPlace
+        }
         Symptom::OtherCode { ref code, .. } => return sources.of_code(code, engine),
         _ => return None,
     };
     sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))
+}
+
+/// Returns whether a diagnostic has no line.
+fn has_lost_place(got: &[Fact]) -> bool {
+    let mut reported = got.iter().filter_map(Fact::diagnostic);
+    reported.any(|one| one.line.is_none())
 }
 
 /// Returns the rank of a claim among those that a cause contradicts: what the makers of the engine say themselves comes first,

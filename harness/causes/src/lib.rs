@@ -3,8 +3,8 @@
 //! | step | done by |
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`]; `failure_sign`, `shape` |
-//! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `guard`, `question` |
-//! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `forms`, `plainness` |
+//! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `guard`, `question`; `reduced_group` |
+//! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `beginning_block`, `forms`, `plainness` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `line_features`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; where only a plainer program shows the cause, the document that promises its construct is cited | `claim`, `promised` |
 //! | the files and commands of a cause, and what they print, are those of its program | `reproduce` |
@@ -33,6 +33,7 @@
 //! where a limit of time ends the search.
 
 mod alone;
+mod beginning_block;
 mod claim;
 mod compiler_place;
 mod essence;
@@ -54,6 +55,7 @@ mod plainness;
 mod program;
 mod promised;
 mod question;
+mod reduced_group;
 mod reduction;
 mod reproduce;
 mod shape;

@@ -54,7 +54,7 @@ pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEME
 pub(crate) const LITERAL: &str = "untyped literal";
 
 /// The feature of something not implemented with an instance.
-const INSTANCE: &str = "instance of a function block";
+pub(crate) const INSTANCE: &str = "instance of a function block";
 /// The feature of a mistake with a whole array, a structure or an enumeration.
 pub(crate) const DERIVED: &str = "derived type";
 
@@ -180,6 +180,13 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// literal that should not be read, its form alone says what is wrong.
     pub(crate) fn forms_of_literals(&self) -> Words {
         forms_of_literals(self.text())
+    }
+
+    /// Returns whether the line has an escape in a text.
+    pub(crate) fn has_escape(&self) -> bool {
+        words(self.text())
+            .into_iter()
+            .any(|word| word.starts_with(['\'', '"']) && word.contains('$'))
     }
 
     /// Returns where the line that matters stands.
@@ -338,6 +345,14 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             features.extend(self.operand_kinds());
         }
         features.extend(literals);
+        // Where a line cannot be read, and does nothing but give a literal, that matters although it is taken elsewhere.
+        if self.is_unread
+            && features
+                .iter()
+                .all(|feature| LINE_PLACES.contains(&feature.as_str()))
+        {
+            features.extend(self.on_line(Role::Literal));
+        }
         if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());
         }

@@ -9,7 +9,8 @@ mod other_forms;
 
 pub(crate) use other_forms::NUMBERS_PLACELESS;
 
-use crate::alone::{alone, is_beginning_block, is_loop_alone, shows};
+use crate::alone::{alone, is_loop_alone, shows};
+use crate::beginning_block::is_beginning_block;
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
@@ -30,6 +31,9 @@ use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{Code, Observation};
+
+/// The maximum number of places of a line in which a value of quite another type is tried.
+const MAX_OTHER_OPERANDS: usize = 4;
 
 /// The normal form of a small program.
 #[derive(Clone, PartialEq, Debug)]
@@ -248,23 +252,34 @@ impl NormalSearch<'_, '_> {
         let is_alone = is_of_literal && self.normal.program != smallest.program;
         let small = (!is_alone).then(|| smallest.program.clone());
         for text in [self.normal.program.clone()].into_iter().chain(small) {
-            let other = read(&text, |program| {
+            let others = read(&text, |program| {
                 let line = errors(program.text, dialect).iter().find_map(|error| error.line);
-                let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
-                let codes = |text: &String| {
-                    errors(text, dialect)
-                        .into_iter()
-                        .map(|error| error.registered_code())
-                };
-                // The same mistake says more than another one, which may be checked elsewhere.
-                let same = others.iter().find(|text| codes(text).any(|one| one == code));
-                let other = same.or_else(|| others.iter().find(|text| codes(text).next().is_some()));
-                other.cloned()
+                line.map_or(Vec::new(), |line| forms::with_other_operand(program, line))
             });
-            let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
-            let other = other.filter(|_| is_asked);
-            if let Some(case) = other.and_then(|other| self.case_of(&other)) {
-                self.judge_case(&case.source, &case)?;
+            let codes = |text: &String| {
+                let errors = errors(text, dialect).into_iter();
+                errors.map(|error| error.registered_code()).collect::<Vec<_>>()
+            };
+            // The same mistake says more than another one, which may be checked elsewhere.
+            let (same, rest): (Vec<String>, Vec<String>) =
+                others.into_iter().partition(|text| codes(text).contains(&code));
+            let mut asked = match same.is_empty() {
+                true => rest
+                    .into_iter()
+                    .filter(|text| !codes(text).is_empty())
+                    .take(1)
+                    .collect(),
+                false => same,
+            };
+            asked.truncate(MAX_OTHER_OPERANDS);
+            for other in asked {
+                let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
+                if let Some(case) = Some(other)
+                    .filter(|_| is_asked)
+                    .and_then(|other| self.case_of(&other))
+                {
+                    self.judge_case(&case.source, &case)?;
+                }
             }
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! The passes of the reducer that lead to the normal form of a program, and the weights by which one form is plainer than another.
 
-use crate::alone::{alone, beginning_blocks, distance, loops_alone};
+use crate::alone::{alone, distance, loops_alone};
 use crate::forms;
 use crate::plainness::{plainer_numbers, plainness};
 use crate::program::{ReadProgram, read};
@@ -43,7 +43,6 @@ type NormalPass = Pass<TextDraft>;
 const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
 const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
 const ONE_LESS: NormalPass = alternatives!("leave a statement out", forms::without_one_statement);
-const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_blocks);
 const LOOP_ALONE: NormalPass = Pass {
     name: "take a loop alone",
     edit: |draft, sites| {
@@ -57,6 +56,7 @@ const LOOP_ALONE: NormalPass = Pass {
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
 const VARIABLE_FOR_BIT: NormalPass =
     alternatives!("give a value to a variable", forms::with_variable_for_bit);
+const UNTYPED_LITERAL: NormalPass = alternatives!("leave the type of a literal out", forms::without_prefix);
 const WHOLE_VARIABLE: NormalPass = alternatives!("assign a whole variable", forms::with_whole_variable);
 const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
 const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
@@ -91,12 +91,10 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns the passes that find out what of a program a symptom needs.
 fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
-        Symptom::Value | Symptom::Missing => {
-            &[LOOP_ALONE, INITIAL_VALUES, BEGINNING, OPERAND_ALONE, ONE_LESS]
-        }
+        Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
-        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE],
+        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, UNTYPED_LITERAL],
         Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_BIT, SAME_TYPES],
         Symptom::NotImplemented(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {

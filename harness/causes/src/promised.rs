@@ -1,9 +1,11 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
+use crate::essence::BEYOND_TYPE;
 use crate::failure_sign::is_unread;
 use crate::line_features::passes_in_out;
 use crate::loop_limits::TO_LAST_VALUE;
+use crate::patterns::UNREAD_ESCAPES;
 use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
@@ -60,7 +62,7 @@ pub(crate) fn promise<'s>(
 
 /// The features of which a wrong value, or the size of a literal that is rejected, tells by its pattern, whatever the case was about. Table 10 has
 /// the range of each type; the types here are those that hold such numbers.
-pub(crate) const OF_PATTERNS: [(&str, &str); 14] = [
+pub(crate) const OF_PATTERNS: [(&str, &str); 15] = [
     (
         "conversion to an integer that does not bring it into its range",
         "conversion",
@@ -73,6 +75,7 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 14] = [
         "conversion to a date or a time of day that gives none",
         "conversion",
     ),
+    (BEYOND_TYPE, "typed-literal"),
     ("REAL literal with the bits of an LREAL", "typed-literal"),
     ("REAL literal that is rounded twice", "real"),
     ("LREAL literal with the digits of a REAL", "lreal"),
@@ -83,7 +86,7 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 14] = [
     (TO_LAST_VALUE, "for"),
     ("initial value of a type", "type-initial-value"),
     ("initial value of a field", "field-initial-value"),
-    ("text with its escapes as they are written", "string-escape"),
+    (UNREAD_ESCAPES, "string-escape"),
 ];
 
 /// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells,

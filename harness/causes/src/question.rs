@@ -309,17 +309,20 @@ impl Questioner<'_> {
         answers.map(|answers| self.judged(case, answers)).collect()
     }
 
-    /// Returns the sign of a case, of which the run saw `sign`: one that must be rejected and dies may only have been executed.
+    /// Returns the sign of a case, of which the run saw `sign`: one that must be rejected and dies may only have been executed, and one
+    /// that fails for a place that is lost is not asked for its code.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn sign(&mut self, case: &Case, sign: &Sign) -> Result<Sign, EngineError> {
         let died = matches!(sign.symptom, Symptom::Crash(_) | Symptom::Hang);
-        if !died || case.expectation.accepted != Acceptance::Rejected {
+        let has_code = matches!(sign.symptom, Symptom::OtherCode { .. });
+        if !(died || has_code) || case.expectation.accepted != Acceptance::Rejected {
             return Ok(sign.clone());
         }
-        let seen = self.deviation(case)?;
-        Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
+        let seen = self.deviation(case)?.map(|seen| seen.sign);
+        let seen = seen.filter(|seen| died || matches!(seen.symptom, Symptom::NoPlace(_)));
+        Ok(seen.unwrap_or_else(|| sign.clone()))
     }
 
     fn judged(&mut self, case: &Case, answers: Answers) -> Result<Judged, EngineError> {

@@ -1,6 +1,7 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::alone::{Alone, alone, configuration_alone, loops_alone, shows};
+use crate::beginning_block::beginning_alone;
 use crate::failure_sign::Sign;
 use crate::guard::Constructs;
 use crate::program::{Program, read};
@@ -18,6 +19,9 @@ use stickler_types::Observation;
 const REPEATS: u32 = 4;
 /// The number of times that a program is run with which the engine does not do the same each time.
 const REPEATS_OF_CHANCE: u32 = 20;
+
+/// The maximum number of times that a smaller program is asked about that deviates by chance.
+const TIMES_OF_CHANCE: usize = 10;
 
 /// The number of bytes of a program above which its group waits for the others, and has no page.
 pub(crate) const LONG: usize = 10_000;
@@ -79,6 +83,9 @@ pub(crate) fn reduce(
     if !is_reducible(&sign.symptom) {
         return Ok(unreduced);
     }
+    if let Some(found) = beginning_alone(asked, case, &unreduced, stop)? {
+        return Ok(found);
+    }
     if let Some(found) = operand_alone(asked, (case, event), &unreduced, stop)? {
         return Ok(found);
     }
@@ -97,11 +104,17 @@ pub(crate) fn reduce(
         takes,
         hangs: &hangs,
         stop,
+        times: 1,
         questions: 0,
         error: None,
     };
     let budget = ReductionBudget { tries, stop };
     let mut found = text_in_packs(&start, case.dialect, &mut smaller, &budget);
+    // What is not seen again came by chance.
+    if found.ended == StopReason::NotInteresting && !stop() {
+        smaller.times = TIMES_OF_CHANCE;
+        found = text_in_packs(&start, case.dialect, &mut smaller, &budget);
+    }
     while takes.empty_bodies && found.ended == StopReason::Smallest {
         let mut emptied = emptied(&found.value).into_iter();
         let Some(program) = emptied.find(|one| smaller.takes_one(one)) else {
@@ -246,7 +259,7 @@ pub(crate) fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
 }
 
 /// Runs the case with the smallest program several times, and fills in what the engine does with it. `stop` is asked before each.
-fn repeated(
+pub(crate) fn repeated(
     asked: &mut Questioner<'_>,
     case: &Case,
     sign: &Sign,

@@ -8,7 +8,7 @@ use crate::question::wrong_values;
 use crate::smaller_case::{as_the_reference, shown_case};
 use crate::title::stops;
 use stickler_engines::{Ability, Reproduction, reproduce_and_run};
-use stickler_run::{Fact, RunError, Symptom, shown_by};
+use stickler_run::{Fact, Reduced, RunError, Symptom, shown_by};
 use stickler_suite::Case;
 use stickler_types::{Observation, Value};
 use stickler_workers::WorkerPool;
@@ -33,7 +33,11 @@ impl Asking<'_> {
         let work = |(): &mut (), member: &GrowingCause| Ok::<_, RunError>(self.reproduction(member));
         let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
         for (member, found) in causes.iter_mut().zip(found) {
-            if let Some((reproduction, printed)) = found {
+            if let Some((reproduction, printed, has_ended_well)) = found {
+                // What dies only when Stickler looks at it is no cause that a page may tell.
+                if has_ended_well && matches!(member.sign.symptom, Symptom::Crash(_) | Symptom::Unusable(_)) {
+                    member.cause.reduction = Reduced::Partly;
+                }
                 // What stops a program is told as the compiler told it, which may have been a signal.
                 if let (Symptom::Fault(_), Some(last)) = (&member.sign.symptom, printed.lines().last()) {
                     let stops = stops(&member.cause.shown.got);
@@ -89,9 +93,9 @@ impl Asking<'_> {
         Some(reproduction.files.iter().map(|file| file.text.len()).sum())
     }
 
-    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled, ended before
+    /// Returns the reproduction of the shown program, what its commands print, and whether all of them succeed; nothing where the search was cancelled, ended before
     /// the program was small, since most such programs show another cause again, or where they hang.
-    fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String)> {
+    fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String, bool)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
         let case = shown_case_of(case, member);
@@ -102,17 +106,26 @@ impl Asking<'_> {
         let request = case.request();
         if let [Fact::TimedOut { after_ms }] = shown.got[..] {
             let reproduction = self.engine.reproduce(&request, ability).ok()?;
-            return Some((reproduction.within(after_ms.div_ceil(1000)), String::new()));
+            return Some((reproduction.within(after_ms.div_ceil(1000)), String::new(), false));
         }
         if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
-            return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
+            return Some((
+                self.engine.reproduce(&request, ability).ok()?,
+                String::new(),
+                false,
+            ));
         }
         match reproduce_and_run(self.engine, &request, ability).ok()? {
             (reproduction, Ok(output)) => {
-                Some((reproduction, output.text.chars().take(MAX_PRINTED).collect()))
+                let printed = output.text.chars().take(MAX_PRINTED).collect();
+                Some((reproduction, printed, output.succeeded))
             }
             // The time of the search ended before the commands did: they print nothing that is known.
-            _ => Some((self.engine.reproduce(&request, ability).ok()?, String::new())),
+            _ => Some((
+                self.engine.reproduce(&request, ability).ok()?,
+                String::new(),
+                false,
+            )),
         }
     }
 }

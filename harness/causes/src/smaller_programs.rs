@@ -3,7 +3,7 @@
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::{forms_of_literals, words_with_digits};
-use crate::question::{Questioner, Takes, until_interesting};
+use crate::question::{Deviation, Questioner, Takes, until_interesting};
 use crate::reduction::{has_fault, has_same_value};
 use crate::smaller_case::with_program;
 use crate::words::{LOOPS, words};
@@ -26,6 +26,8 @@ pub(crate) struct SmallerPrograms<'a, 'e> {
     /// The number of programs without an answer in time.
     pub(crate) hangs: &'a Cell<u32>,
     pub(crate) stop: &'a dyn Fn() -> bool,
+    /// The maximum number of times that the engine is asked about one program before it deviates: one, unless it does so by chance.
+    pub(crate) times: usize,
     /// The number of times that the engine was asked.
     pub(crate) questions: u64,
     /// The reason why the engine cannot be asked any more.
@@ -36,14 +38,18 @@ impl SmallerPrograms<'_, '_> {
     /// Returns whether the literals of a program may be what they are. Another literal that should not be read is another mistake, and no
     /// document says how large an array may be.
     fn keeps_literals(&self, program: &str) -> bool {
-        let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
-        let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
+        let Symptom::NotRejected(code) = &self.sign.symptom else {
+            return true;
+        };
+        let is_of_size = code == Code::ArraySizeOverflow.as_str();
         // A part of such a literal may have its form.
         let has_form = || {
             let forms = forms_of_literals(program);
             !forms.is_empty() && forms == forms_of_literals(self.start)
         };
-        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start)) || has_form()
+        !(is_of_reading(code) || is_of_size)
+            || words_with_digits(program).is_subset(&words_with_digits(self.start))
+            || !is_of_size && has_form()
     }
 
     /// Returns whether a program with a loop still leaves it where the whole program does, by an EXIT: without that it may never end.
@@ -66,10 +72,30 @@ impl SmallerPrograms<'_, '_> {
         self.admits(program) && self.judge(std::slice::from_ref(program)) == [Interestingness::Interesting]
     }
 
+    /// Returns the first deviation of the kind that is sought, asking several times.
+    fn deviation_by_chance(&mut self, smaller: &Case) -> Result<Option<Deviation>, EngineError> {
+        let sign = self.sign;
+        for _ in 0..self.times {
+            if (self.stop)() {
+                break;
+            }
+            let seen = self.asked.again(smaller, (&sign.symptom, 1), self.stop)?;
+            let mut deviations = seen.into_iter().filter_map(|(_, deviation)| deviation);
+            let sought = deviations.find(|seen| sign.is_kept_by(&seen.sign));
+            if sought.is_some() {
+                return Ok(sought);
+            }
+        }
+        Ok(None)
+    }
+
     /// Returns whether the engine deviates with a program as it does with that of the case.
     fn deviates(&mut self, program: &str, smaller: &Case) -> Result<bool, EngineError> {
         self.questions += 1;
-        let seen = self.asked.deviation(smaller)?;
+        let seen = match self.times {
+            1 => self.asked.deviation(smaller)?,
+            _ => self.deviation_by_chance(smaller)?,
+        };
         let event = self.event;
         Ok(seen.is_some_and(|seen| {
             let is_hang = seen.sign.symptom == Symptom::Hang;
@@ -97,7 +123,10 @@ impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
             .iter()
             .map(|program| with_program(self.case, self.sign, program));
         let cases: Vec<Option<Case>> = cases.collect();
-        let ahead = self.asked.ask_ahead(cases.iter().flatten(), self.stop);
+        let ahead = match self.times {
+            1 => self.asked.ask_ahead(cases.iter().flatten(), self.stop),
+            _ => Ok(()),
+        };
         let judge = |at: usize, case: &Case| Ok(Interestingness::from(self.deviates(&programs[at], case)?));
         let judged = ahead.and_then(|()| until_interesting(&cases, judge));
         judged.unwrap_or_else(|failed| {

@@ -1,6 +1,7 @@
 //! The title of a cause: what the engine does, in the words in which developers of compilers report defects, and the line of the
 //! program that shows it.
 
+use crate::compiler_place::compiler_place;
 use crate::failure_sign::OTHER_BLANKS;
 use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
 use crate::patterns::is_no_moment;
@@ -10,10 +11,11 @@ use crate::suspect::{self, unimplemented};
 use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
 use stickler_engines::OTHER_TYPE;
+use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::Pou;
-use stickler_types::{Code, Diagnostic};
+use stickler_types::{Code, Diagnostic, DialectName};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
 /// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
@@ -46,7 +48,7 @@ impl Titled<'_, '_> {
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
             // The line does not show the mistake, so the title names it.
-            Symptom::NotRejected(code) => match (self.wrong(code, wanted.line), wanted.code) {
+            Symptom::NotRejected(code) => match (self.wrong(code), wanted.code) {
                 (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
                 (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
                 (None, _) => format!("{line} is accepted, not rejected"),
@@ -61,11 +63,17 @@ impl Titled<'_, '_> {
                 let unit = unit_of(&self.program, line).map_or(String::new(), |unit| format!(" in {unit}"));
                 let line = described(&self.program, line);
                 // Who promises it stands below, and does not decide.
-                let reason = got.iter().find_map(|fact| match fact {
-                    Fact::NotImplemented { reason, .. } => Some(format!(": {}", clipped(reason))),
-                    _ => None,
-                });
-                format!("{line}{unit} is not implemented{}", reason.unwrap_or_default())
+                let reason = || {
+                    got.iter().find_map(|fact| match fact {
+                        Fact::NotImplemented { reason, .. } => Some(format!(": {}", clipped(reason))),
+                        _ => None,
+                    })
+                };
+                let place = compiler_place(got).map(|place| format!(" at {place}"));
+                format!(
+                    "{line}{unit} is not implemented{}",
+                    place.or_else(reason).unwrap_or_default()
+                )
             }
             Symptom::OtherCode { code, .. } => {
                 let wrong = summary(code).map_or(String::new(), |wrong| format!(" ({wrong})"));
@@ -101,11 +109,11 @@ impl Titled<'_, '_> {
                 format!("{line} is accepted with a warning: {message}")
             }
             // What is wrong with a program may be what the engine does not bear.
-            Symptom::Crash(words) => format!(
-                "{} makes it crash: {}",
-                self.line_in_unit(wanted.line),
-                self.reason(words)
-            ),
+            Symptom::Crash(words) => {
+                let place = compiler_place(got).map(|place| format!(" at {place}"));
+                let reason = place.unwrap_or_else(|| format!(": {}", self.reason(words)));
+                format!("{} makes it crash{reason}", self.line_in_unit(wanted.line))
+            }
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
             Symptom::Hang => {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
@@ -178,15 +186,20 @@ impl Titled<'_, '_> {
         is_computed && !target.eq_ignore_ascii_case(name)
     }
 
-    /// Returns what a code says is wrong on a line: a subscript has the code of an operator.
-    fn wrong(&self, code: &str, number: Option<u32>) -> Option<&'static str> {
-        let line = self.program.line_text(self.telling(number)).unwrap_or_default();
-        let done = operations(&format!("PROGRAM p {line} END_PROGRAM"));
-        let only_subscripts = done.iter().all(|one| one == "subscript or list") && line.contains('[');
-        match code == Code::OperatorOperandTypeMismatch.as_str() && only_subscripts {
-            true => Some("what has a subscript is no array"),
-            false => summary(code),
-        }
+    /// Returns what a code says is wrong. Subscripts have the code of operators, and elements that of variables, so that the reference
+    /// says which it is.
+    fn wrong(&self, code: &str) -> Option<String> {
+        let is_of_several = matches!(
+            code.parse(),
+            Ok(Code::OperatorOperandTypeMismatch | Code::VariableUndefined)
+        );
+        let said = || {
+            let errors = errors(self.program.text, DialectName::IEC_ED3).into_iter();
+            let mut of_code = errors.filter(|error| error.code.as_deref() == Some(code));
+            of_code.next().map(|error| error.message)
+        };
+        let said = is_of_several.then(said).flatten();
+        said.or_else(|| summary(code).map(str::to_owned))
     }
 
     fn telling(&self, number: Option<u32>) -> u32 {

@@ -18,7 +18,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// line that assigns that one. An output of a function block is computed from what the block is given last, and the result of a
     /// function by its body.
     pub(crate) fn computation(&self, path: &str) -> Option<u32> {
-        let Some(mut last) = self.assignment(path) else {
+        // A block that is given nothing computes it by itself.
+        let in_block = || {
+            let (instance, member) = path.split_once('.')?;
+            self.assignment(member).filter(|_| self.is_instance(instance))
+        };
+        let Some(mut last) = self.assignment(path).or_else(in_block) else {
             return self.field_value(path).map(|span| self.line(span));
         };
         for _ in 0..MAX_COPIES {

@@ -64,8 +64,9 @@ pub struct WrongValue {
 pub struct DefectiveCompiler {
     pub identity: Identity,
     pub defects: Defects,
-    /// The interval at which programs are rejected, whatever they are; 0 stands for none.
+    /// The interval at which programs with a text are rejected, whatever else they are; 0 stands for none.
     pub rejects_every: usize,
+    pub rejects_where: &'static str,
     /// The number of programs that it takes together.
     pub pack_size: usize,
     pub asked: Mutex<Vec<String>>,
@@ -85,6 +86,7 @@ impl DefectiveCompiler {
             },
             defects: defects.clone(),
             rejects_every: 0,
+            rejects_where: "",
             pack_size: 1,
             asked: Mutex::default(),
         }
@@ -136,12 +138,18 @@ impl Session for &DefectiveCompiler {
             asked.len() - 1
         };
         match self.rejects_every {
-            every if every > 0 && number.is_multiple_of(every) => Outcome::rejected(vec![Diagnostic {
-                line: Some(1),
-                column: Some(1),
-                message: "the dice said no".to_owned(),
-                ..Diagnostic::default()
-            }]),
+            every
+                if every > 0
+                    && number.is_multiple_of(every)
+                    && request.source.contains(self.rejects_where) =>
+            {
+                Outcome::rejected(vec![Diagnostic {
+                    line: Some(1),
+                    column: Some(1),
+                    message: "the dice said no".to_owned(),
+                    ..Diagnostic::default()
+                }])
+            }
             _ => self.defects.run(request),
         }
     }

@@ -79,3 +79,31 @@ fn what_comes_by_chance_is_told_as_such() {
     let runs: u32 = repeats.outcomes.iter().map(|outcome| outcome.runs).sum();
     assert!(repeats.outcomes.len() > 1 && runs == repeats.of, "{repeats:?}");
 }
+
+/// A program of which one statement matters.
+const OF_CHANCE: &str = r#"
+[[defect]]
+name   = "what comes by chance is made small"
+cases  = [{ has = "a : INT; b : INT; c : INT;", does = "a := 1;\nb := 2;\nc := b;", must = "c = INT#2" }]
+titles = []
+"#;
+
+#[test]
+fn what_comes_by_chance_is_made_small_by_asking_again() {
+    let planted = &defects(OF_CHANCE)[0];
+    let mut compiler = planted.compiler();
+    (compiler.rejects_every, compiler.rejects_where) = (3, "c := b");
+    let found = causes(&planted.suite(), &compiler, 1, SearchLimits::default());
+    let [cause] = &found[..] else {
+        panic!("{found:?}");
+    };
+    let program = &cause.shown.program;
+    assert!(
+        cause.flaky.is_some() && cause.reduction == Reduced::Smallest,
+        "{cause:?}"
+    );
+    assert!(
+        program.contains("c := b") && !program.contains("a := 1"),
+        "{program}"
+    );
+}
