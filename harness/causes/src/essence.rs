@@ -216,7 +216,7 @@ fn needs(
             let mut features = line.of_missing(&normal.deviation.got);
             if let Some(place) = compiler_place(&normal.deviation.got) {
                 // A block has its variables elsewhere than the unit has its own.
-                features.retain(|feature| feature == INSTANCE);
+                features.retain(|feature| feature == INSTANCE && !line.calls_instance());
                 return (format!("not implemented at {place}"), features, false);
             }
             (format!("not implemented {words}"), features, true)

@@ -232,7 +232,7 @@ pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Ve
         &[Place::NamedArgument],
         &[Place::InitialValue, Place::Argument, Place::Subscript],
         &[Place::OutputArgument],
-        &[Place::Right, Place::Left],
+        &[Place::Right, Place::Left, Place::Operand],
     ];
     let here = program
         .parts

@@ -32,6 +32,8 @@ pub(crate) struct GrowingCause {
     pub(crate) differs: bool,
     /// The rank of the shown claim.
     pub(crate) rank: u8,
+    /// Whether the claim of the shown case still speaks of the shown program.
+    keeps_claim: bool,
     /// The number of cases with the same essence that rest on the shown claim.
     agreeing: u64,
     /// The number of cases of the group whose program is shown.
@@ -64,6 +66,7 @@ impl GrowingCause {
         let length = |program: &str| tokens(program).len();
         let is_unchecked = smallest.deviation.sign.accepts()
             && normal.is_unchecked()
+            && normal.deviation.expected == smallest.deviation.expected
             && length(&normal.program) <= length(&smallest.program);
         // The same mistake shows best where nothing else is done.
         let is_plainer = smallest.deviation.sign.accepts()
@@ -92,6 +95,7 @@ impl GrowingCause {
             }
             shown.deviation.forget_promise();
         }
+        let keeps_claim = !is_derived;
         // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
         // cannot be read.
         let promised = case
@@ -170,6 +174,7 @@ impl GrowingCause {
             essence,
             sign: shown.deviation.sign.clone(),
             shared: group.shared.clone(),
+            keeps_claim,
             agreeing: 0,
             own: group.number(),
         }
@@ -179,6 +184,7 @@ impl GrowingCause {
     /// speaks of it, or several do, each of what goes to that place.
     pub(crate) fn cite_place(&mut self, case: &Case, (engine, suite): (&Identity, &Suite)) {
         self.cite_function(engine, suite);
+        self.cite_only_claim(engine, suite);
         let basis = &self.cause.shown.basis;
         let has_others = self.cause.cases.iter().any(|some| some.basis != *basis);
         let shown = &mut self.cause.shown;
@@ -209,6 +215,32 @@ impl GrowingCause {
             self.cause.shown.basis.clone_from(&some.basis);
             self.cause.shown.is_derived = false;
             self.rank = rank(&some.basis, &engine.name, &suite.sources);
+        }
+    }
+
+    /// Cites the one claim of all cases, where another one was cited because of the program alone.
+    fn cite_only_claim(&mut self, engine: &Identity, suite: &Suite) {
+        let cases = &self.cause.cases;
+        let [first, rest @ ..] = &cases[..] else { return };
+        let is_one = rest.iter().all(|some| some.basis == first.basis);
+        let is_told = matches!(
+            self.sign.symptom,
+            Symptom::NoPlace(_)
+                | Symptom::Crash(_)
+                | Symptom::FaultLine(_)
+                | Symptom::Surplus(_)
+                | Symptom::OtherCode { .. }
+        );
+        let is_binding = first.verdict != Verdict::Differs && !first.basis.starts_with("rule:");
+        if self.keeps_claim
+            && is_one
+            && is_binding
+            && !is_told
+            && self.essence.pattern.is_none()
+            && !self.differs
+        {
+            self.cause.shown.basis.clone_from(&first.basis);
+            self.rank = rank(&first.basis, &engine.name, &suite.sources);
         }
     }
 

@@ -128,9 +128,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn of_mistake(&self, is_unchecked: bool) -> Words {
         let as_one = |operation: String| match operation.as_str() {
             "arithmetic" | "power" | "comparison" | "bitwise operator" | "sign" => "operator".to_owned(),
-            "call" if self.callees().any(|name| self.program.is_instance(name)) => {
-                "call of a block".to_owned()
-            }
+            "call" if self.calls_instance() => "call of a block".to_owned(),
             conversion if conversion.contains("_TO_") => "conversion function".to_owned(),
             _ => operation,
         };
@@ -205,6 +203,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             .at(Place::Callee)
             .filter(|part| self.is_on_line(part.expression.span));
         callees.map(|part| self.program.text(part.id))
+    }
+
+    /// Returns whether the line calls an instance of a function block.
+    pub(crate) fn calls_instance(&self) -> bool {
+        self.callees().any(|name| self.program.is_instance(name))
     }
 
     /// Returns the kind of variable that the line assigns, unless that is a plain one.
@@ -352,6 +355,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 .all(|feature| LINE_PLACES.contains(&feature.as_str()))
         {
             features.extend(self.on_line(Role::Literal));
+            features.extend(self.text().contains('\'').then(|| "text".to_owned()));
         }
         if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());

@@ -260,13 +260,13 @@ impl NormalSearch<'_, '_> {
                 let errors = errors(text, dialect).into_iter();
                 errors.map(|error| error.registered_code()).collect::<Vec<_>>()
             };
-            // The same mistake says more than another one, which may be checked elsewhere.
+            // The same mistake alone says more than another one, which may be checked elsewhere.
             let (same, rest): (Vec<String>, Vec<String>) =
-                others.into_iter().partition(|text| codes(text).contains(&code));
+                others.into_iter().partition(|text| codes(text) == [code]);
             let mut asked = match same.is_empty() {
                 true => rest
                     .into_iter()
-                    .filter(|text| !codes(text).is_empty())
+                    .filter(|text| codes(text).len() == 1)
                     .take(1)
                     .collect(),
                 false => same,
