@@ -164,19 +164,11 @@ pub(crate) fn with_measured_text(
     name: &str,
     (wanted, got): (&[u16], &[u16]),
 ) -> Vec<(String, Observation)> {
-    let main = program.unit.pous().find(|pou| pou.kind == PouKind::Program);
-    let (Some(pou), Some(end)) = (main, main.and_then(|pou| end_of_variables(program.text, pou))) else {
-        return Vec::new();
-    };
-    let behind = pou.end.start as usize;
-    let with = |variable: &str, ty: &str, value: &str| {
-        let mut edits = Edits::new();
-        edits.replace(end..end, format!("    {variable} : {ty};\n"));
-        edits.replace(behind..behind, format!("    {variable} := {value};\n"));
-        (edits.apply(program.text), Observation::last(variable, ty))
-    };
+    let with = |variable: &str, ty: &str, value: &str| with_last_variable(program, (variable, ty), value);
     if wanted.len() != got.len() {
-        return vec![with("length", "INT", &format!("LEN({name})"))];
+        return with("length", "INT", &format!("LEN({name})"))
+            .into_iter()
+            .collect();
     }
     let at = wanted.iter().zip(got).position(|(wanted, got)| wanted != got);
     let plain = at.and_then(|at| Some((at + 1, char::from_u32(got[at].into())?)));
@@ -184,7 +176,22 @@ pub(crate) fn with_measured_text(
     let has = |(place, sign): (usize, char)| {
         with("is_other", "BOOL", &format!("MID({name}, 1, {place}) = '{sign}'"))
     };
-    plain.map(has).into_iter().collect()
+    plain.and_then(has).into_iter().collect()
+}
+
+/// Returns a program whose PROGRAM gives a value to a variable of its own in the end, with what it observes; `None` where it has no
+/// variables.
+pub(crate) fn with_last_variable(
+    program: &ReadProgram<'_, '_>,
+    (variable, ty): (&str, &str),
+    value: &str,
+) -> Option<(String, Observation)> {
+    let pou = program.unit.pous().find(|pou| pou.kind == PouKind::Program)?;
+    let (end, behind) = (end_of_variables(program.text, pou)?, pou.end.start as usize);
+    let mut edits = Edits::new();
+    edits.replace(end..end, format!("    {variable} : {ty};\n"));
+    edits.replace(behind..behind, format!("    {variable} := {value};\n"));
+    Some((edits.apply(program.text), Observation::last(variable, ty)))
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without

@@ -1,12 +1,13 @@
 //! Finds the files and commands by which a person sees each cause on the engine, and what these print.
 
 use crate::find::Asking;
-use crate::forms::with_measured_text;
+use crate::forms::{with_last_variable, with_measured_text};
 use crate::growing_cause::GrowingCause;
 use crate::program::read;
-use crate::question::wrong_values;
+use crate::question::{Deviation, wrong_values};
 use crate::smaller_case::{as_the_reference, shown_case};
 use crate::title::stops;
+use crate::words::has_word;
 use stickler_engines::{Ability, Reproduction, reproduce_and_run};
 use stickler_run::{Fact, Reduced, RunError, Symptom, shown_by};
 use stickler_suite::Case;
@@ -28,6 +29,7 @@ impl Asking<'_> {
             .filter(|member| !member.cause.is_partly_reduced())
         {
             self.measure_text(member)?;
+            self.copy_part(member)?;
         }
         let open = || Ok::<_, RunError>(());
         let work = |(): &mut (), member: &GrowingCause| Ok::<_, RunError>(self.reproduction(member));
@@ -83,6 +85,32 @@ impl Asking<'_> {
                 (shown.program, shown.expected, shown.got) = (program, seen.expected, seen.got);
                 break;
             }
+        }
+        Ok(())
+    }
+
+    /// Shows in the place of a wrong part of a variable, such as an output of an instance, a variable of the PROGRAM that is given it: what a
+    /// compiler shows only through a copy of Stickler's own is then plain in the program.
+    fn copy_part(&self, member: &mut GrowingCause) -> Result<(), RunError> {
+        let shown = &member.cause.shown;
+        let wrong = wrong_values(&shown.expected, &shown.got).next();
+        let part = wrong.filter(|(name, _)| name.contains(['.', '[']) && !name.contains('@'));
+        let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
+        let (Some((name, values)), Some(known)) = (part, known) else {
+            return Ok(());
+        };
+        let copy = read(&shown.program, |program| {
+            let is_free = !has_word(program.text, "seen");
+            with_last_variable(program, ("seen", values.0.type_name()), name).filter(|_| is_free)
+        });
+        let case = copy.and_then(|(program, seen)| as_the_reference(known, &program, &[seen]));
+        let Some(case) = case else { return Ok(()) };
+        let seen = self.questioner().deviation(&case)?;
+        let is_same =
+            |seen: &Deviation| wrong_values(&seen.expected, &seen.got).any(|(_, other)| other == values);
+        if let Some(seen) = seen.filter(is_same) {
+            let shown = &mut member.cause.shown;
+            (shown.program, shown.expected, shown.got) = (case.source.to_string(), seen.expected, seen.got);
         }
         Ok(())
     }
