@@ -60,10 +60,10 @@ impl ProgramBuilder<'_, '_> {
                 && !seen.is_followed()
         };
         let seen = self.choose(suits)?;
-        Some(Expression {
-            ty: Type::Reference(Box::new(to.clone())),
-            kind: ExpressionKind::Reference(self.place(&seen, true)),
-        })
+        Some(Expression::new(
+            Type::Reference(Box::new(to.clone())),
+            ExpressionKind::Reference(self.place(&seen, true)),
+        ))
     }
 
     /// Declares references of main, and generates the statements that let them lead to something.

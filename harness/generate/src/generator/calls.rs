@@ -156,10 +156,10 @@ impl ProgramBuilder<'_, '_> {
             value: self.argument(&ty, depth),
         });
         let arguments = arguments.collect();
-        Some(Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Call(called, arguments),
-        })
+        Some(Expression::new(
+            ty.clone(),
+            ExpressionKind::Call(called, arguments),
+        ))
     }
 
     /// Generates an argument for a parameter of an elementary type or an enumeration.

@@ -14,13 +14,16 @@ pub struct Expression {
 }
 
 impl Expression {
+    /// Creates an expression of any type.
+    #[must_use]
+    pub const fn new(ty: Type, kind: ExpressionKind) -> Expression {
+        Expression { ty, kind }
+    }
+
     /// Creates an expression of an elementary type.
     #[must_use]
     pub const fn elementary(ty: ElementaryType, kind: ExpressionKind) -> Expression {
-        Expression {
-            ty: Type::Elementary(ty),
-            kind,
-        }
+        Expression::new(Type::Elementary(ty), kind)
     }
 
     /// Creates a literal of an elementary type.
@@ -32,35 +35,28 @@ impl Expression {
     /// Creates the value of a variable, or of a part of one.
     #[must_use]
     pub fn read(place: Place) -> Expression {
-        Expression {
-            ty: place.ty.clone(),
-            kind: ExpressionKind::Read(place),
-        }
+        Expression::new(place.ty.clone(), ExpressionKind::Read(place))
     }
 
     /// Creates an operation with one operand.
     #[must_use]
     pub fn unary(operator: UnaryOperator, operand: Expression) -> Expression {
-        Expression {
-            ty: operand.ty.clone(),
-            kind: ExpressionKind::Unary(operator, Box::new(operand)),
-        }
+        Expression::new(
+            operand.ty.clone(),
+            ExpressionKind::Unary(operator, Box::new(operand)),
+        )
     }
 
     /// Creates an implicit conversion.
     #[must_use]
     pub fn widened(ty: Type, operand: Expression) -> Expression {
-        let kind = ExpressionKind::Widen(Box::new(operand));
-        Expression { ty, kind }
+        Expression::new(ty, ExpressionKind::Widen(Box::new(operand)))
     }
 
     /// Creates a value of an enumeration.
     #[must_use]
     pub fn enumerated(ty: &Type, value: usize) -> Expression {
-        Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Enumerated(value),
-        }
+        Expression::new(ty.clone(), ExpressionKind::Enumerated(value))
     }
 
     /// Creates a call of a standard function whose result has an elementary type.

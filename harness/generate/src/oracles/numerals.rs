@@ -89,32 +89,14 @@ impl DecimalNumber {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn integers_are_those_of_the_grammar() {
-        for (text, value) in [
-            ("0", 0),
-            ("-1_0", -10),
-            ("+7", 7),
-            ("16#fF", 255),
-            ("2#1_0", 2),
-            ("8#17", 15),
-        ] {
-            assert_eq!(integer(text), Some(BigInt::from(value)), "{text}");
-        }
-        for text in [
-            "", "-", "_1", "1_", "1__0", "-16#1", "16#", "10#1", "2#2", "1 ", "٣", "1#1#1",
-        ] {
-            assert_eq!(integer(text), None, "{text}");
-        }
-    }
-
-    #[test]
-    fn what_is_no_real_is_none() {
-        for text in [
-            "1", "1.", ".5", "1.0E", "1.0E16#1", "1.0E5.0", "--1.0", "1.0E5E5", "NaN",
-        ] {
-            assert!(real(text).is_none(), "{text}");
-        }
+    fn golden_numerals() {
+        let none = || "none".to_owned();
+        check_examples("tests/numerals.md", |example| match example.wanted() {
+            "integer" => integer(example.text("text")).map_or_else(none, |number| number.to_string()),
+            _ => real(example.text("text")).map_or_else(none, |_| "some".to_owned()),
+        });
     }
 }

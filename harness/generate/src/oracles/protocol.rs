@@ -179,45 +179,26 @@ fn check_diagnostics(request: &serde_json::Map<String, Json>, diagnostics: &[Dia
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
 
     #[test]
     fn a_conversation_holds() {
-        let lines = [
-            r#"{"type":"hello","protocol":1}"#,
-            "",
-            r#"{"type":"run","id":1,"dialect":"matiec","source":"PROGRAM m VAR x : INT; END_VAR x := 1; END_PROGRAM","scans":2,"observe":[{"name":"x","after":1},{"name":"x"}]}"#,
-            r#"{"type":"run","id":2,"dialect":"matiec","source":"PROGRAM m WHILE TRUE DO ; END_WHILE; END_PROGRAM"}"#,
-            r#"{"type":"check","id":3,"dialect":"nonsense","source":""}"#,
-            r#"{"type":"render","id":4,"dialect":"plcnext","source":"PROGRAM m END_PROGRAM"}"#,
-            "[1, 2",
-            r#"{"type":"bye"}"#,
-            "not read any more",
-        ];
-        assert_eq!(judge(lines.join("\n").as_bytes()), Ok(InputOutcome::Checked));
+        assert_eq!(
+            judge(include_bytes!("conversation.jsonl")),
+            Ok(InputOutcome::Checked)
+        );
         assert_eq!(judge(b"\xFF\n\xEF\xBB\xBF\n{}\r\n"), Ok(InputOutcome::Checked));
     }
 
     #[test]
-    fn a_reply_that_does_not_fit_is_a_failure() {
-        let request = br#"{"type":"check","id":1}"#;
-        for (reply, symptom) in [
-            ("{\"type\":\"accepted\",\"id\":2}\n", "id"),
-            ("{\"type\":\"error\",\"message\":\"no dialect\"}\n", "id"),
-            ("{\"type\":\"rendered\",\"id\":1,\"text\":\"\"}\n", "kind"),
-            ("{\"type\":\"accepted\",\"id\":1}", "reply"),
-            (
-                "{\"type\":\"error\",\"message\":\"the engine crashed: panicked\"}\n",
-                "crash",
-            ),
-        ] {
-            let failure = check_reply(request, reply.as_bytes()).expect_err(reply);
-            assert_eq!(failure.symptom, symptom, "{reply}");
-        }
+    fn golden_replies() {
+        check_examples("tests/replies.md", |example| {
+            let judged = check_reply(
+                example.text("request").as_bytes(),
+                example.text("reply").as_bytes(),
+            );
+            judged.map_or_else(|failure| failure.symptom, |()| "none".to_owned())
+        });
         assert!(check_count(&[b"a", b"b"], 1).is_err());
-        let of_a_greeting = check_reply(
-            br#"{"type":"hello","id":1}"#,
-            b"{\"type\":\"error\",\"message\":\"no protocol\"}\n",
-        );
-        assert_eq!(of_a_greeting, Ok(()));
     }
 }

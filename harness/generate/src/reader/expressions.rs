@@ -255,10 +255,10 @@ impl Reader<'_> {
             && name.is(word)
         {
             let place = self.place(*place)?;
-            return Some(Expression {
-                ty: Type::Reference(Box::new(place.ty.clone())),
-                kind: ExpressionKind::Reference(place),
-            });
+            return Some(Expression::new(
+                Type::Reference(Box::new(place.ty.clone())),
+                ExpressionKind::Reference(place),
+            ));
         }
         match StandardFunction::from_word(&name.text.to_ascii_uppercase()) {
             Some(function) => self.standard(function, &arguments),
@@ -292,10 +292,10 @@ impl Reader<'_> {
             let value = self.value(value, ty, TypeContext::Argument)?;
             read.push(Argument { parameter, value });
         }
-        Some(Expression {
-            ty: self.program.unaliased(called.result.as_ref()?).clone(),
-            kind: ExpressionKind::Call(function, read),
-        })
+        Some(Expression::new(
+            self.program.unaliased(called.result.as_ref()?).clone(),
+            ExpressionKind::Call(function, read),
+        ))
     }
 
     /// Reads a call of a standard function: each argument determines its own type.
@@ -322,10 +322,10 @@ impl Reader<'_> {
             (S::SquareRoot, [ty]) if matches!(ty, Type::Elementary(ty) if ty.is_real()) => ty,
             _ => return None,
         };
-        Some(Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Standard(function, arguments),
-        })
+        Some(Expression::new(
+            ty.clone(),
+            ExpressionKind::Standard(function, arguments),
+        ))
     }
 
     /// Reads a call of a type conversion function, of those with this result where it gives several types. Its operand is of a

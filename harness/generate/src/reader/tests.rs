@@ -5,6 +5,7 @@ use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::random::bytes;
 use crate::writer::{Style, write};
+use stickler_mdtest::check_examples;
 use stickler_types::{Dialect, DialectName};
 
 #[test]
@@ -37,50 +38,10 @@ fn statement(text: &str) -> Option<String> {
 }
 
 #[test]
-fn an_expression_has_the_type_that_its_text_says() {
-    for (text, written) in [
-        ("D := (i) + INT#1;;", "d := i + INT#1;"),
-        ("d := i + d;", "d := i + d;"),
-        ("r := -(1.5);", "r := -1.5;"),
-        ("w := w AND 16#f;", "w := w AND 16#000F;"),
-        ("a[i] := a[2];", "a[i] := a[2];"),
-        ("w.15 := i.%X3;", "w.15 := i.3;"),
-    ] {
-        assert_eq!(statement(text).as_deref(), Some(written), "{text}");
-    }
-}
-
-#[test]
-fn a_text_whose_types_no_document_settles_is_not_read() {
-    for text in [
-        // No implicit conversion, also not of a literal.
-        "i := d;",
-        "r := 1;",
-        "i := 1.0;",
-        "i := 40000;",
-        "b := 1;",
-        // Nothing says of which type the operands are.
-        "d := 1 + 2;",
-        "b := 1 < 2;",
-        "w := NOT 16#1;",
-        "i := ABS(-1);",
-        "i := LEN(1);",
-        // The types do not have the operator.
-        "b := s < s;",
-        "r := r MOD r;",
-        "w := w + w;",
-        "b := b.0;",
-        "i.16 := b;",
-        // Not of the model.
-        "i := +i;",
-        "r := r ** r;",
-        "a[1, 1] := i;",
-        "IF i THEN ; END_IF;",
-        "CONTINUE;",
-        "missing := 1;",
-    ] {
-        assert_eq!(statement(text), None, "{text}");
-    }
+fn golden_statements() {
+    check_examples("tests/statements.md", |example| {
+        statement(example.text("text")).unwrap_or_else(|| "none".to_owned())
+    });
 }
 
 #[test]

@@ -34,10 +34,7 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
             let hoisted = Place::whole(VariableId(first + added.len()), ty.clone());
             let value = std::mem::replace(&mut expression.kind, ExpressionKind::Read(hoisted));
             added.push(Variable {
-                initial: Some(InitialValue::Expression(Expression {
-                    ty: ty.clone(),
-                    kind: value,
-                })),
+                initial: Some(InitialValue::Expression(Expression::new(ty.clone(), value))),
                 ..variable(names.next("hoisted"), ty, section)
             });
         });

@@ -1,6 +1,7 @@
 //! Programs that are damaged at random, from a fixed seed: whatever comes of them, the oracle `parse` finds no failure.
 
 use stickler_generate::oracles::FuzzTarget;
+use stickler_mdtest::expanded;
 use stickler_syntax::parse;
 use stickler_types::dialect::Dialect;
 use stickler_types::{DialectName, SplitMix64};
@@ -146,35 +147,10 @@ fn shuffled_pieces_are_diagnosed() {
 
 #[test]
 fn hostile_texts_need_little_stack() {
-    let begun = [
-        "(",
-        "[",
-        "f(",
-        "a[",
-        "-",
-        "NOT ",
-        "IF a THEN ",
-        "CASE a OF 1: ",
-        "(*",
-        "a.",
-        "+ a ** (b ",
-    ];
-    let begun = begun.map(|piece| format!("PROGRAM p x := {}", piece.repeat(100_000)));
-    let nested = |first: &str, before: &str, inner: &str, after: &str, times| {
-        let (before, after) = (before.repeat(times), after.repeat(times));
-        format!("PROGRAM p {first}{before}{inner}{after}; END_PROGRAM")
-    };
-    let others = [
-        nested("", "IF a THEN ", "", "END_IF; ", 200),
-        nested("x := ", "(", "1", ")", 200),
-        nested("x := ", "a OR b XOR (", "1", ")", 150),
-        format!("PROGRAM p x := 1{}; END_PROGRAM", "+1".repeat(500_000)),
-        format!("TYPE t : {}", "STRUCT a : ".repeat(100_000)),
-        format!("TYPE t : {}INT; END_TYPE", "ARRAY[1..2] OF ".repeat(199)),
-        format!("PROGRAM p VAR x : t := {}", "[(a := ".repeat(100_000)),
-        format!("PROGRAM p x := {}; END_PROGRAM", "9".repeat(1_000_000)),
-    ];
-    let deep: Vec<String> = begun.into_iter().chain(others).collect();
+    let deep: Vec<String> = include_str!("../samples/hostile.txt")
+        .lines()
+        .map(expanded)
+        .collect();
     let work = move || {
         for text in &deep {
             hold(text.as_bytes(), DialectName::PLCNEXT);

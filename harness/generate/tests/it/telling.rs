@@ -46,10 +46,7 @@ fn told_apart(misread: impl Fn(&Program, &mut Expression)) -> usize {
 }
 
 fn literal(value: Value, ty: &Type) -> Expression {
-    Expression {
-        ty: ty.clone(),
-        kind: ExpressionKind::Literal(value, LiteralForm::Typed),
-    }
+    Expression::new(ty.clone(), ExpressionKind::Literal(value, LiteralForm::Typed))
 }
 
 #[test]

@@ -93,10 +93,7 @@ fn the_lines_of_raw_text_are_remembered() {
         _ => None,
     });
     let target = target.expect("every program assigns something");
-    let value = Expression {
-        ty: target.ty.clone(),
-        kind: ExpressionKind::Raw("nonsense".to_owned()),
-    };
+    let value = Expression::new(target.ty.clone(), ExpressionKind::Raw("nonsense".to_owned()));
     let assigned = Statement::Assign(AssignmentTarget::Place(target), value);
     program.main.body.extend([broken, assigned]);
     let other = with(|style| (style.comments, style.carriage_returns) = (true, true));

@@ -197,10 +197,10 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
             }),
             _ => None,
         });
-    let value = Expression {
-        ty: function.result.clone()?,
-        kind: ExpressionKind::Call(number, arguments.collect()),
-    };
+    let value = Expression::new(
+        function.result.clone()?,
+        ExpressionKind::Call(number, arguments.collect()),
+    );
     let at = fault.input.int_in_range(0..=function.body.len()).unwrap_or(0);
     let kind = Statement::Assign(AssignmentTarget::Result, value);
     function.body.insert(at, kind);

@@ -41,10 +41,7 @@ fn descending(label: &CaseLabel) -> Option<CaseLabel> {
         CaseLabel::One(one) => {
             let (text, value) = (one.clone(), value(one)?);
             let (_, high) = integer_type(one)?.integer_range()?;
-            let above = Expression {
-                ty: one.ty.clone(),
-                kind: ExpressionKind::Raw((value + 1).to_string()),
-            };
+            let above = Expression::new(one.ty.clone(), ExpressionKind::Raw((value + 1).to_string()));
             (value < high).then_some(CaseLabel::Range(above, text))
         }
     }

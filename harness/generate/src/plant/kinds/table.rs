@@ -84,55 +84,23 @@ pub(super) fn function<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Pla
 }
 
 macro_rules! functions {
-    ($($room:ident::$function:ident,)*) => {
-        &[$((concat!(stringify!($room), "::", stringify!($function)), $room::$function),)*]
+    ($($room:ident { $($function:ident),* })*) => {
+        &[$($((concat!(stringify!($room), "::", stringify!($function)), $room::$function),)*)*]
     };
 }
 
 /// The functions that the table names.
 const FUNCTIONS: &[(&str, Plant)] = functions! {
-    misfits::standard,
-    misfits::of_call_alone,
-    misfits::selector,
-    misfits::subscript,
-    misfits::bound,
-    omitted_conversions::conversion_left_out_of_operand,
-    operands::operand,
-    operands::only_operand,
-    operands::undefined_operation,
-    operands::compared_aggregates,
-    literals::integer_for_operand,
-    literals::bits_for_target,
-    literals::subscript,
-    names::variable_read,
-    names::initial,
-    names::field,
-    names::enumerated_value,
-    names::other_enumeration,
-    names::variable_twice,
-    names::function_twice,
-    names::block_twice,
-    names::two_kinds_of_one_name,
-    names::type_twice,
-    names::field_twice,
-    names::enumerated_value_twice,
-    calls::argument_too_many,
-    calls::standard_argument,
-    calls::conversion_argument,
-    calls::recursive_function,
-    calls::recursive_block,
-    blocks::unknown_input,
-    blocks::input_twice,
-    blocks::unknown_output,
-    blocks::output_taken,
-    blocks::too_many_by_position,
-    blocks::no_variable,
-    blocks::other_type,
-    blocks::constant,
-    constants::assigned,
-    constants::part_assigned,
-    statements::descending_labels,
-    declarations::third_edition,
-    declarations::constant_instance,
-    declarations::instance_in_function,
+    misfits { standard, of_call_alone, selector, subscript, bound }
+    omitted_conversions { conversion_left_out_of_operand }
+    operands { operand, only_operand, undefined_operation, compared_aggregates }
+    literals { integer_for_operand, bits_for_target, subscript }
+    names { variable_read, initial, field, enumerated_value, other_enumeration, variable_twice,
+        function_twice, block_twice, two_kinds_of_one_name, type_twice, field_twice, enumerated_value_twice }
+    calls { argument_too_many, standard_argument, conversion_argument, recursive_function, recursive_block }
+    blocks { unknown_input, input_twice, unknown_output, output_taken, too_many_by_position, no_variable,
+        other_type, constant }
+    constants { assigned, part_assigned }
+    statements { descending_labels }
+    declarations { third_edition, constant_instance, instance_in_function }
 };
