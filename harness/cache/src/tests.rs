@@ -3,6 +3,7 @@
 use super::*;
 use std::fs;
 use std::time::{Duration, SystemTime};
+use stickler_mdtest::assert_fits;
 use tempfile::TempDir;
 
 fn cache(folder: &TempDir) -> Cache {
@@ -11,6 +12,13 @@ fn cache(folder: &TempDir) -> Cache {
 
 fn file(folder: &TempDir) -> PathBuf {
     folder.path().join("ironplc-0123.cache")
+}
+
+/// Returns the note of a cache that has one and no more.
+fn only_note(cache: &Cache) -> String {
+    let notes = cache.notes();
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    notes.concat()
 }
 
 fn recalled(cache: &Cache, questions: &[&str]) -> Vec<Option<String>> {
@@ -69,10 +77,9 @@ fn what_is_torn_or_broken_is_said_once_and_the_rest_is_used() {
         recalled(&second, &["one", "two", "tow", "three"]),
         [Some("answer".to_owned()), None, None, None]
     );
-    let notes = second.notes();
-    assert!(
-        notes.len() == 1 && notes[0].ends_with("2 lines are broken; what they kept is asked again"),
-        "{notes:?}"
+    assert_fits(
+        &only_note(&second),
+        "…2 lines are broken; what they kept is asked again",
     );
     second.put("four", "answer");
     let third = cache(&folder);
@@ -94,11 +101,7 @@ fn a_file_of_another_kind_or_version_is_said_and_begins_anew() {
         fs::write(file(&folder), &foreign).unwrap();
         let first = cache(&folder);
         assert_eq!(first.get("one"), None);
-        let notes = first.notes();
-        assert!(
-            notes.len() == 1 && notes[0].contains("is no cache of this version"),
-            "{foreign:?} {notes:?}"
-        );
+        assert_fits(&only_note(&first), "…is no cache of this version…");
         first.put("two", "2");
         let second = cache(&folder);
         assert_eq!(recalled(&second, &["one", "two"]), [None, Some("2".to_owned())]);
@@ -113,11 +116,7 @@ fn a_folder_that_cannot_be_made_is_said_once_and_nothing_is_kept() {
     fs::write(&in_the_way, "").unwrap();
     let cache = Cache::open(&in_the_way, "ironplc", "0123");
     cache.put("one", "1");
-    let notes = cache.notes();
-    assert!(
-        notes.len() == 1 && notes[0].contains("keeps no results"),
-        "{notes:?}"
-    );
+    assert_fits(&only_note(&cache), "…keeps no results…");
     assert!(cache.notes().is_empty());
 }
 
@@ -130,11 +129,8 @@ fn a_full_disk_is_said_once_and_nothing_more_is_kept() {
     cache.lock().file = Some(fs::OpenOptions::new().append(true).open("/dev/full").unwrap());
     cache.put("one", "1");
     cache.put("two", "2");
-    let notes = cache.notes();
-    assert!(
-        notes.len() == 1 && notes[0].contains("cannot be written, and keeps no more results: No space left"),
-        "{notes:?}"
-    );
+    let full = "…cannot be written, and keeps no more results: No space left…";
+    assert_fits(&only_note(&cache), full);
 }
 
 #[test]

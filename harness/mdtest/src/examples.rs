@@ -250,6 +250,15 @@ pub fn fits(expected: &str, came: &str) -> bool {
     rest.ends_with(last)
 }
 
+/// Asserts that a text is the expected one, in which `…` stands for any text.
+///
+/// # Panics
+/// Where it is another one, with both.
+#[track_caller]
+pub fn assert_fits(came: &str, expected: &str) {
+    assert!(fits(expected, came), "expected {expected}\n     got {came}");
+}
+
 /// Returns the text of a file with what came in place of what was expected.
 fn blessed<'d>(text: &str, differing: impl Iterator<Item = (&'d Expected, &'d str)>) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();

@@ -47,7 +47,7 @@ pub mod schema;
 
 pub use block::{Block, Difference, Program, expanded, same};
 pub use differences::{Reported, differences};
-pub use examples::{Example, check_examples, fits};
+pub use examples::{Example, assert_fits, check_examples, fits};
 pub use folder::check;
 pub use markdown::{Fence, Section, sections};
 pub use marks::{Marks, Value};

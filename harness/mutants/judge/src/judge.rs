@@ -155,76 +155,28 @@ fn rendering(case: &PreparedCase, wanted: &[String], answer: &Outcome) -> Option
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
     use stickler_types::Observation;
 
-    const SOURCE: &str = "PROGRAM main\nVAR a : INT := 1; d : INT; END_VAR\na := a / d;\nEND_PROGRAM\n";
-
-    fn case(source: &str, expectation: PreparedExpectation) -> PreparedCase {
-        PreparedCase {
-            dialect: "ironplc-ed3".to_owned(),
-            source: source.to_owned(),
-            scans: 1,
-            observe: vec![Observation::last("a", "")],
-            expectation,
-            ..PreparedCase::default()
-        }
-    }
-
-    fn reported(source: &str, expectation: PreparedExpectation) -> String {
-        complaint(&case(source, expectation)).unwrap_or_default()
-    }
-
+    /// Shows what is wrong with the answer to a program; an example has the keys in which its expectation differs from none.
     #[test]
-    fn a_value_must_be_the_expected_one_of_the_expected_type() {
-        const PLAIN: &str = "PROGRAM main VAR a : INT := 1; END_VAR END_PROGRAM";
-        let values = |value: &str| PreparedExpectation {
-            values: vec![("a".to_owned(), value.to_owned())],
-            ..PreparedExpectation::default()
-        };
-        assert_eq!(reported(PLAIN, values("INT#1")), "");
-        assert_eq!(reported(PLAIN, values("INT#2")), "a = INT#1");
-        assert_eq!(reported(PLAIN, values("DINT#1")), "a = INT#1");
-    }
-
-    #[test]
-    fn a_fault_must_be_the_expected_one_on_its_line() {
-        let fault = |line, kind: &str| PreparedExpectation {
-            fault: Some((line, kind.to_owned())),
-            ..PreparedExpectation::default()
-        };
-        assert_eq!(reported(SOURCE, fault(3, "division-by-zero")), "");
-        assert_ne!(reported(SOURCE, fault(2, "division-by-zero")), "");
-        assert_ne!(reported(SOURCE, fault(3, "subrange")), "");
-        assert_ne!(reported(SOURCE, PreparedExpectation::default()), "");
-    }
-
-    #[test]
-    fn a_rejection_must_be_right_to_the_code_and_line_and_name_no_clean_line() {
-        const WRONG: &str = "PROGRAM main\nVAR a : INT; END_VAR\na := TRUE;\nb := 1;\nEND_PROGRAM";
-        let rejected = |diagnostics: &[(u32, &str)], clean_lines: &[u32]| PreparedExpectation {
-            acceptance: Acceptance::Rejected,
-            diagnostics: diagnostics
-                .iter()
-                .map(|(line, code)| (*line, (*code).to_owned()))
-                .collect(),
-            clean_lines: clean_lines.to_vec(),
-            ..PreparedExpectation::default()
-        };
-        assert_eq!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[])), "");
-        assert_ne!(reported(WRONG, rejected(&[(4, "P4007")], &[])), "");
-        assert_ne!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[3])), "");
-        assert_ne!(reported(WRONG, PreparedExpectation::default()), "");
-        assert_ne!(reported(SOURCE, rejected(&[], &[])), "");
-    }
-
-    #[test]
-    fn a_rendered_program_must_have_the_expected_lines() {
-        let rendered = |line: &str| PreparedExpectation {
-            fault: Some((3, "division-by-zero".to_owned())),
-            rendered: Some(vec![line.to_owned()]),
-            ..PreparedExpectation::default()
-        };
-        assert_eq!(reported(SOURCE, rendered("a := a / d;")), "");
-        assert_ne!(reported(SOURCE, rendered("a := a * d;")), "");
+    fn golden_complaints() {
+        check_examples("tests/complaints.md", |example| {
+            let mut expectation = serde_json::to_value(PreparedExpectation::default()).unwrap();
+            let stated: serde_json::Value = serde_json::from_str(example.text("expected")).unwrap();
+            for (key, value) in stated.as_object().unwrap() {
+                assert!(expectation.get(key).is_some(), "there is no key `{key}`");
+                expectation[key] = value.clone();
+            }
+            let case = PreparedCase {
+                dialect: "ironplc-ed3".to_owned(),
+                source: example.text("program").to_owned(),
+                scans: 1,
+                observe: vec![Observation::last("a", "")],
+                expectation: serde_json::from_value(expectation).unwrap(),
+                ..PreparedCase::default()
+            };
+            complaint(&case).unwrap_or_else(|| "none".to_owned())
+        });
     }
 }
