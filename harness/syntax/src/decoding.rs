@@ -30,10 +30,7 @@ pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<SpannedDiagnostic>) {
         if !chunk.invalid().is_empty() {
             let start = saturating_u32(text.len());
             text.push(char::REPLACEMENT_CHARACTER);
-            let place = Span {
-                start,
-                end: saturating_u32(text.len()),
-            };
+            let place = Span::new(start, saturating_u32(text.len()));
             broken = Some(broken.map_or(place, |before| before.to(place)));
         }
     }

@@ -139,6 +139,7 @@ impl MainParts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::assert_fits;
     use stickler_types::DialectName;
 
     #[test]
@@ -147,11 +148,7 @@ mod tests {
                       f := x; END_FUNCTION\nPROGRAM main\nVAR CONSTANT\n    k : INT := 3;\nEND_VAR\nVAR\n    a, b : ARRAY[1..2] OF \
                       INT := [1, 2]; c : COLOR;\nEND_VAR\n    a[1] := f(x := b[2]);\n    c := RED;\nEND_PROGRAM\n";
         let parts = ProgramParts::of(source, Dialect::of(DialectName::IRONPLC_RUSTY)).expect("parts");
-        assert!(
-            parts.units.starts_with("TYPE COLOR") && parts.units.ends_with("END_FUNCTION"),
-            "{}",
-            parts.units
-        );
+        assert_fits(&parts.units, "TYPE COLOR…END_FUNCTION");
         assert_eq!(parts.statements, "a[1] := f(x := b[2]);\n    c := RED;");
         let set = |names: &[&str]| names.iter().map(ToString::to_string).collect::<HashSet<_>>();
         assert_eq!(parts.variable_names, set(&["K", "A", "B", "C"]));

@@ -15,13 +15,16 @@ pub struct Span {
 }
 
 impl Span {
+    /// Creates the span from a byte to the one before `end`.
+    #[must_use]
+    pub const fn new(start: u32, end: u32) -> Span {
+        Span { start, end }
+    }
+
     /// The span from the start of `self` to the end of `other`.
     #[must_use]
     pub const fn to(self, other: Span) -> Span {
-        Span {
-            start: self.start,
-            end: other.end,
-        }
+        Span::new(self.start, other.end)
     }
 
     /// The text that the span covers; empty where the span does not fit `text`.
@@ -33,10 +36,7 @@ impl Span {
     /// The span of no bytes at the end of `self`.
     #[must_use]
     pub const fn after(self) -> Span {
-        Span {
-            start: self.end,
-            end: self.end,
-        }
+        Span::new(self.end, self.end)
     }
 }
 

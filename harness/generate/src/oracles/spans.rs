@@ -70,10 +70,7 @@ impl SpanChecker<'_> {
 
     /// Checks a node at `span` as a child of one at `outer`.
     fn node(&mut self, what: &str, span: Span, outer: Option<Span>) {
-        let outer = outer.unwrap_or(Span {
-            start: 0,
-            end: u32::MAX,
-        });
+        let outer = outer.unwrap_or(Span::new(0, u32::MAX));
         let message = if !is_inside(span, self.text) {
             "does not lie in the text"
         } else if self.sound && span.start == span.end {

@@ -264,10 +264,7 @@ impl SiteFinder<'_, '_> {
                     let Some(base) = refused_base(&self.analysis.unit, id) else {
                         continue;
                     };
-                    let suffix = Span {
-                        start: self.analysis.expression(base).span.end,
-                        end: expression.span.end,
-                    };
+                    let suffix = Span::new(self.analysis.expression(base).span.end, expression.span.end);
                     (BitClaim::NoSuchForm, &REFUSED_FORMS, [suffix, suffix])
                 }
                 _ => continue,

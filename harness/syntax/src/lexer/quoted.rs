@@ -88,10 +88,7 @@ impl Lexer<'_, '_> {
         if matches!(self.peek(0), b'\n' | b'\r') || self.at >= self.bytes.len() {
             return false; // The string is open, which is what its caller says.
         }
-        let span = Span {
-            start: start as u32,
-            end: start as u32 + 1,
-        };
+        let span = Span::new(start as u32, start as u32 + 1);
         self.report_at(Code::InvalidStringEscape, span, || {
             format!("`$` begins no escape here: write `$$`, or `$` with {digits} hexadecimal digits")
         });

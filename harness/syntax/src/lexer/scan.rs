@@ -151,10 +151,7 @@ impl<'s, 'd> Lexer<'s, 'd> {
     #[inline]
     pub(super) fn span_from(&self, start: usize) -> Span {
         // Texts are no longer than `MAX_LENGTH`, which 32 bits hold.
-        Span {
-            start: start as u32,
-            end: self.at as u32,
-        }
+        Span::new(start as u32, self.at as u32)
     }
 
     /// A diagnostic about the text from `start` to here.

@@ -110,10 +110,7 @@ impl Lexer<'_, '_> {
 
     fn report_open(&mut self, start: usize, message: &str) {
         self.truncated = true;
-        let opening = Span {
-            start: start as u32,
-            end: (start + 2).min(self.bytes.len()) as u32,
-        };
+        let opening = Span::new(start as u32, (start + 2).min(self.bytes.len()) as u32);
         let width = if self.bytes.get(start) == Some(&b'{') {
             1
         } else {

@@ -145,10 +145,7 @@ impl<'s> Parser<'s, '_> {
 
     /// A line feed stands between the next token and the one before it, or there is none before it.
     pub(super) fn starts_line(&self) -> bool {
-        let between = Span {
-            start: self.previous_span().end,
-            end: self.current.span.start,
-        };
+        let between = Span::new(self.previous_span().end, self.current.span.start);
         self.index == 0 || between.text(self.text).contains('\n')
     }
 

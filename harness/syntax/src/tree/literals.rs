@@ -41,10 +41,7 @@ impl<'s> Prefixed<'s> {
         let text = self.written.get(from as usize..to as usize).unwrap_or_default();
         Name {
             text,
-            span: Span {
-                start: self.start + from,
-                end: self.start + to,
-            },
+            span: Span::new(self.start + from, self.start + to),
         }
     }
 }
@@ -82,10 +79,7 @@ impl<'s> Literal<'s> {
             .filter(|text| !text.is_empty())?;
         Some(Name {
             text,
-            span: Span {
-                start: self.start,
-                end,
-            },
+            span: Span::new(self.start, end),
         })
     }
 

@@ -20,10 +20,10 @@ pub(super) fn span(diagnostic: &Diagnostic, text: &str) -> Option<Span> {
         let in_line = characters.chain([text.len() - before]).nth(column as usize - 1)?;
         u32::try_from(before + in_line).ok()
     };
-    Some(Span {
-        start: byte(diagnostic.line?, diagnostic.column?)?,
-        end: byte(diagnostic.end_line?, diagnostic.end_column?)?,
-    })
+    Some(Span::new(
+        byte(diagnostic.line?, diagnostic.column?)?,
+        byte(diagnostic.end_line?, diagnostic.end_column?)?,
+    ))
 }
 
 /// Returns the name in the other dialect of the function or type that a diagnostic points to: that of the standard, or its own.
