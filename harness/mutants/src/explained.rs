@@ -111,13 +111,7 @@ fn explains(entry: &ExplainedSurvivor, change: &str, outcome: &MutantOutcome) ->
 mod tests {
     use super::*;
 
-    const LIST: &str = r#"
-        [[survivor]]
-        file = "reference/src/raw.rs"
-        mutants = ["replace < with <= in narrow"]
-        kind = "equivalent"
-        reason = "both are the same"
-    "#;
+    const LIST: &str = include_str!("../tests/survivors.toml");
 
     fn outcome(line: u32, fate: MutantFate) -> MutantOutcome {
         MutantOutcome {

@@ -109,13 +109,7 @@ mod tests {
     use super::*;
 
     /// The results as cargo-mutants 27.1 writes them, shortened.
-    const TEXT: &str = r#"{"outcomes":[
-        {"scenario":"Baseline","summary":"Success","log_path":"log/baseline.log"},
-        {"scenario":{"Mutant":{"name":"a/b.rs:3:7: replace < with == in f","file":"a/b.rs","genre":"BinaryOperator"}},
-         "summary":"MissedMutant"},
-        {"scenario":{"Mutant":{"name":"a/b.rs:9:1: replace g -> bool with true","file":"a/b.rs"}},"summary":"Timeout"},
-        {"scenario":{"Mutant":{"name":"a/b.rs:9:1: replace g -> bool with false","file":"a/b.rs"}},"summary":"Failure"}
-        ],"total_mutants":3}"#;
+    const TEXT: &str = include_str!("../tests/outcomes.json");
 
     #[test]
     fn a_mutant_that_takes_too_long_is_killed_and_one_without_a_verdict_left_out() {
