@@ -280,6 +280,7 @@ fn optional_bytes(path: &Path) -> Result<Option<Vec<u8>>, StoreError> {
 mod tests {
     use super::*;
     use crate::sample;
+    use stickler_mdtest::assert_fits;
 
     fn store() -> (tempfile::TempDir, Store) {
         let folder = tempfile::tempdir().unwrap();
@@ -317,24 +318,11 @@ mod tests {
         fs::create_dir(&place).unwrap();
         fs::write(place.join(FINDING), r#"{"format": 99, "stickler": "9.0.0"}"#).unwrap();
         let error = load(&place).unwrap_err().to_string();
-        assert!(
-            error.contains("its form is 99, written by Stickler 9.0.0"),
-            "{error}"
-        );
+        assert_fits(&error, "…its form is 99, written by Stickler 9.0.0…");
         fs::write(place.join(FINDING), "{").unwrap();
-        assert!(
-            load(&place)
-                .unwrap_err()
-                .to_string()
-                .contains("finding.json: EOF")
-        );
+        assert_fits(&load(&place).unwrap_err().to_string(), "…finding.json: EOF…");
         fs::remove_file(place.join(FINDING)).unwrap();
-        assert!(
-            load(&place)
-                .unwrap_err()
-                .to_string()
-                .contains("it has no finding.json")
-        );
+        assert_fits(&load(&place).unwrap_err().to_string(), "…it has no finding.json…");
     }
 
     #[test]

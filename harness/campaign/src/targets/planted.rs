@@ -230,19 +230,7 @@ mod tests {
 
     #[test]
     fn errors_that_need_much_around_them_are_left_with_fifteen_lines() {
-        for kind in [
-            "a VAR_IN_OUT of another type",
-            "a VAR_IN_OUT that is constant",
-            "a part of a constant assigned",
-            "a selector that is no integer",
-            "an unknown output",
-            "an output taken by another type",
-            "an input given twice",
-            "arguments by name and by position",
-            "a function declared twice",
-            "an instance in a function",
-            "a conversion left out of an argument",
-        ] {
+        for kind in include_str!("surrounded.txt").lines() {
             let text = reduced(kind, &|_| true);
             assert!(text.lines().count() <= 15, "{kind}:\n{text}");
         }
