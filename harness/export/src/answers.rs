@@ -11,16 +11,7 @@ use stickler_types::{DialectName, words};
 /// The name of the file of answers.
 pub const ANSWERS: &str = "answers.txt";
 
-pub(crate) const TEMPLATE: &str = "\
-# What an array of results cannot tell, a line a case: a word and the id that stands above the case in its page.
-#
-#   rejected ID      the compiler does not accept it
-#   accepted ID      the compiler accepts it, though it was only compiled
-#   crashed  ID      the compiler crashed over it, or the controller stopped in it
-#
-# Then export again, in the same words: the programs of these cases are left out, so that the others of their pages can run. Pages
-# without such a case stay what they were, and what was copied of them still counts. This file stays as it is.
-";
+pub(crate) const TEMPLATE: &str = include_str!("answers.txt");
 
 words! {
     /// The outcome of a case that a person observed.

@@ -199,15 +199,6 @@ pub(crate) fn expected(case: &Case, observe: usize) -> Option<&ExpectedValue> {
 }
 
 fn is_negative_zero(value: &Value) -> bool {
-    match value {
-        Value::Plain {
-            ty: ElementaryType::Real,
-            raw,
-        } => *raw == u64::from((-0.0_f32).to_bits()),
-        Value::Plain {
-            ty: ElementaryType::Lreal,
-            raw,
-        } => *raw == (-0.0_f64).to_bits(),
-        _ => false,
-    }
+    let number = value.real();
+    number.is_some_and(|number| number == 0.0 && number.is_sign_negative())
 }

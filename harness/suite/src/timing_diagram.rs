@@ -103,26 +103,15 @@ impl Case {
 
 /// Returns the number of characters that a value needs.
 fn width(value: Option<&Value>) -> usize {
-    value.map_or(1, |value| match level(value) {
+    value.map_or(1, |value| match value.truth() {
         Some(_) => 1,
         None => value.without_type().chars().count(),
     })
 }
 
-/// Returns whether a BOOL is TRUE; `None` for other values.
-fn level(value: &Value) -> Option<bool> {
-    match value {
-        Value::Plain {
-            ty: ElementaryType::Bool,
-            raw,
-        } => Some(*raw != 0),
-        _ => None,
-    }
-}
-
 /// Returns a value as it is drawn in a cell.
 fn drawn(value: Option<&Value>, cell: usize) -> String {
-    match value.map(|value| (level(value), value)) {
+    match value.map(|value| (value.truth(), value)) {
         Some((Some(true), _)) => "▔".repeat(cell),
         Some((Some(false), _)) => "▁".repeat(cell),
         Some((None, value)) => format!("{:<cell$}", value.without_type()),

@@ -59,38 +59,3 @@ fn rank(ty: ElementaryType, raw: u64) -> Option<i128> {
     let rank = i128::from(magnitude);
     (magnitude < infinity).then_some(if raw & sign == 0 { rank } else { -rank })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_number_is_near_by_its_units_in_the_last_place() {
-        let near = |expected: &str, given: &str| {
-            let expected = Value::parse_expected(expected).unwrap();
-            assert_eq!(Value::parse_expected(&expected.to_string()), Ok(expected.clone()));
-            expected.admits(&Value::parse(given).unwrap())
-        };
-        assert!(near("REAL#1.0 within 1", "REAL#1.0000001"));
-        assert!(!near("REAL#1.0 within 1", "REAL#1.0000002") && near("REAL#1.0 within 2", "REAL#1.0000002"));
-        assert!(near("REAL#-1.0 within 1", "REAL#-0.99999994") && !near("REAL#1.0 within 9", "REAL#-1.0"));
-        assert!(near("LREAL#0.0 within 1", "LREAL#-0.0") && near("LREAL#0.0 within 2", "LREAL#-5.0E-324"));
-        assert!(!near("LREAL#1.0 within 1", "REAL#1.0") && !near("LREAL#1.0 within 1", "LREAL#NaN"));
-        assert!(!near("LREAL#1.7976931348623157E308 within 1", "LREAL#Infinity"));
-        assert!(!near("REAL#1.0", "REAL#1.0000001") && near("INT#5", "INT#5"));
-    }
-
-    #[test]
-    fn only_finite_reals_are_near_anything() {
-        for text in [
-            "INT#5 within 1",
-            "REAL#NaN within 1",
-            "REAL#1.0 within 0",
-            "REAL#1.0 within x",
-            "REAL#1.0 within 1001",
-        ] {
-            assert!(Value::parse_expected(text).is_err(), "{text}");
-        }
-        assert!(Value::parse_expected("STRING#'1 within 2'").is_ok());
-    }
-}

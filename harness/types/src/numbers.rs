@@ -19,24 +19,3 @@ pub fn grouped(number: u64) -> String {
 pub fn counted(number: u64, one: &str, several: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { one } else { several })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{counted, grouped};
-
-    #[test]
-    fn thousands_are_kept_apart() {
-        assert_eq!(
-            [0, 999, 1_000, 65_536, 4_294_967_296].map(grouped),
-            ["0", "999", "1,000", "65,536", "4,294,967,296"]
-        );
-    }
-
-    #[test]
-    fn one_has_a_word_of_its_own() {
-        assert_eq!(
-            [0, 1, 2].map(|number| counted(number, "case", "cases")),
-            ["0 cases", "1 case", "2 cases"]
-        );
-    }
-}

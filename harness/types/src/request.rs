@@ -182,13 +182,4 @@ mod tests {
             assert_eq!(third.key().is(text), text == "q@3", "{text}");
         }
     }
-
-    #[test]
-    fn the_clock_is_set_by_durations_only() {
-        let at = |literal: &str| ClockSetting::at(2, &Value::parse(literal).expect("a literal"));
-        assert_eq!(at("TIME#150ms").map(|step| step.nanoseconds), Some(150_000_000));
-        assert_eq!(at("LTIME#-1ns").map(|step| step.nanoseconds), Some(-1));
-        assert_eq!(at("INT#1"), None);
-        assert_eq!(at("STRING#'1s'"), None);
-    }
 }

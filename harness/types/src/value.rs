@@ -108,6 +108,15 @@ impl Value {
         Value::plain(ty, ty.real_bits(number))
     }
 
+    /// Returns whether a BOOL is TRUE; `None` for other values.
+    #[must_use]
+    pub fn truth(&self) -> Option<bool> {
+        match *self {
+            Value::Plain { ty, raw } if ty == ElementaryType::Bool => Some(raw != 0),
+            _ => None,
+        }
+    }
+
     /// Returns the number of a `REAL` or `LREAL`, exactly; `None` for values of other types.
     pub fn real(&self) -> Option<f64> {
         match *self {

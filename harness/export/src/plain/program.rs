@@ -193,14 +193,10 @@ fn condition(expected: &ExpectedValue) -> Option<String> {
             Some(format!("({name} >= {least}) AND ({name} <= {greatest})"))
         }
         // A truth value needs no comparison, which not every dialect has of them.
-        Value::Plain {
-            ty: ElementaryType::Bool,
-            raw: 1,
-        } => Some(name.to_string()),
-        Value::Plain {
-            ty: ElementaryType::Bool,
-            ..
-        } => Some(format!("NOT {name}")),
-        _ => Some(format!("{name} = {}", literal(value)?)),
+        _ => match value.truth() {
+            Some(true) => Some(name.to_string()),
+            Some(false) => Some(format!("NOT {name}")),
+            None => Some(format!("{name} = {}", literal(value)?)),
+        },
     }
 }

@@ -1,6 +1,7 @@
 //! Tests the import of correct arrays, and of arrays with errors.
 
 use super::*;
+use stickler_mdtest::assert_fits;
 
 #[test]
 fn what_the_reference_computes_is_judged_as_it_must_be_in_every_dialect_and_form() {
@@ -75,10 +76,9 @@ fn what_is_no_array_of_this_export_passes_nothing() {
         .iter()
         .map(|array| list(&vec![0; array.len()]))
         .collect();
-    assert!(
-        exported
-            .notes_without_verdicts(&zeros)
-            .contains("nothing but zeros: its page did not run")
+    assert_fits(
+        &exported.notes_without_verdicts(&zeros),
+        "…nothing but zeros: its page did not run…",
     );
     let mut other = exported.arrays[0].clone();
     for value in &mut other {
@@ -89,9 +89,9 @@ fn what_is_no_array_of_this_export_passes_nothing() {
         };
     }
     let notes = exported.notes_without_verdicts(&list(&other));
-    assert!(
-        notes.contains("copied.txt:1: the array is that of page 1 of another export"),
-        "{notes}"
+    assert_fits(
+        &notes,
+        "…copied.txt:1: the array is that of page 1 of another export…",
     );
     let notes = exported.notes_without_verdicts("results[0] := 5;\nresults[1] := 7;\n");
     assert!(notes.contains("results[0] is 5"), "{notes}");
@@ -127,10 +127,7 @@ fn what_was_cut_off_or_not_reached_is_not_judged_and_said() {
     assert!(events.iter().all(|case| case.verdict == Verdict::Pass));
     let notes = imported.notes.join("\n");
     assert!(notes.contains("elements are missing between"), "{notes}");
-    assert!(
-        notes.contains("page 2: no results were given; 8 cases are not judged"),
-        "{notes}"
-    );
+    assert_fits(&notes, "…page 2: no results were given; 8 cases are not judged…");
     // The same array in two pieces is complete, in either order.
     let pieces = format!("{}{}", list(array), list(&exported.arrays[1]));
     assert!(exported.import(&pieces).2);

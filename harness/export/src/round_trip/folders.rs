@@ -1,6 +1,7 @@
 //! Tests the choice of cases for an export, and its folder.
 
 use super::*;
+use stickler_mdtest::assert_fits;
 
 #[test]
 fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
@@ -33,10 +34,7 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
     let refused = || {
         let error = export(&plan, &cases, other.path()).expect_err("it is not empty");
         let error = error.to_string();
-        assert!(
-            error.contains("is not empty and holds no earlier export"),
-            "{error}"
-        );
+        assert_fits(&error, "…is not empty and holds no earlier export…");
     };
     let notes = other.path().join("notes.txt");
     fs::write(&notes, "").expect("written");
@@ -49,11 +47,7 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
     refused();
     fs::remove_file(notes).expect("removed");
     refused();
-    assert!(
-        fs::read_to_string(manifest)
-            .expect("there")
-            .contains("Something else")
-    );
+    assert_fits(&fs::read_to_string(manifest).expect("there"), "…Something else…");
     // The files of an interrupted export may be replaced.
     let broken = tempfile::tempdir().expect("a folder");
     for name in ["page-001.st", crate::MANIFEST] {

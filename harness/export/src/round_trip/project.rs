@@ -3,6 +3,7 @@
 use super::*;
 use crate::ProjectPlan;
 use std::process::Command;
+use stickler_mdtest::assert_fits;
 
 /// Exports cases with a project, and returns its text.
 fn project(dialect: DialectName, cases: &[Case]) -> Result<String, crate::ExportError> {
@@ -74,15 +75,7 @@ fn a_project_is_valid_by_the_schema_where_that_is_at_hand() {
 }
 
 /// A program for Python that reads a project with the classes of Beremiz, and writes the Structured Text that its compiler gets.
-const BEREMIZ: &str = "
-import sys
-import fake_wx, IDEFrame
-from PLCControler import PLCControler
-project = PLCControler()
-project.OpenXMLFile(sys.argv[1])
-text, errors, warnings = project.GenerateProgram(sys.argv[2])
-sys.exit(str(errors) if errors else 0)
-";
+const BEREMIZ: &str = include_str!("beremiz.py");
 
 #[test]
 fn beremiz_reads_a_project_where_it_is_installed() {
@@ -127,17 +120,11 @@ fn commented(comment: &str) -> Vec<Case> {
 #[test]
 fn text_is_escaped_and_a_character_that_xml_cannot_hold_is_refused_with_its_place() {
     let text = project(DialectName::IRONPLC_ED2, &commented("a < b & c ]]> <d/>")).expect("a project");
-    assert!(
-        text.contains("(* a &lt; b &amp; c ]]&gt; &lt;d/&gt; *)"),
-        "{text}"
-    );
+    assert_fits(&text, "…(* a &lt; b &amp; c ]]&gt; &lt;d/&gt; *)…");
     let cases = commented("bell \u{7}");
     let error = project(DialectName::IRONPLC_ED2, &cases)
         .expect_err("a bell")
         .to_string();
-    assert!(
-        error.starts_with("page-001.st:") && error.contains("U+0007"),
-        "{error}"
-    );
+    assert_fits(&error, "page-001.st:…U+0007…");
     assert!(error.contains(&*cases[0].id), "{error}");
 }

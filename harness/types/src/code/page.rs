@@ -100,6 +100,7 @@ fn unwrapped(paragraph: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_mdtest::check_examples;
 
     /// Parses the page of a code without the first occurrence of a text, and returns the error.
     fn error_without(removed: &str) -> String {
@@ -112,22 +113,8 @@ mod tests {
     }
 
     #[test]
-    fn the_error_names_what_is_missing() {
-        for (removed, expected) in [
-            (
-                "# P4035",
-                "the first line must be `# P4035 AssignmentTypeMismatch`",
-            ),
-            ("## Example\n", "the heading `## Example`"),
-            ("gives this code in", "must name a dialect"),
-            ("ironplc-ed2", "must name a dialect"),
-            ("```st\n", "a fence ```st"),
-            ("END_PROGRAM\n```\n", "the heading `## Fix` must follow"),
-            ("## Fix", "the heading `## Fix` must follow the example"),
-        ] {
-            let error = error_without(removed);
-            assert!(error.contains(expected), "without {removed}: {error}");
-        }
+    fn golden_errors_name_what_is_missing() {
+        check_examples("tests/pages.md", |example| error_without(example.text("removed")));
     }
 
     #[test]

@@ -7,7 +7,9 @@ use std::fmt;
 use stickler_mdtest::{Difference, same};
 use stickler_types::boundaries::boundaries;
 use stickler_types::literal::{self, LiteralError};
-use stickler_types::{ElementaryType, Question, Value, WrittenValue};
+use stickler_types::{
+    ClockSetting, ElementaryType, Question, Value, Versions, WrittenValue, counted, grouped,
+};
 
 #[test]
 fn every_text_is_read_as_its_row_says() {
@@ -75,6 +77,14 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
             let all = literals.all(|literal| known.iter().any(|one| one == literal));
             if all { "yes" } else { "no" }.to_owned()
         },
+        "near" => near,
+        "versions" => versions,
+        "clock" => |text| {
+            let clock = ClockSetting::at(2, &Value::parse(text).expect("a literal"));
+            clock.map_or_else(|| "-".to_owned(), |clock| clock.nanoseconds.to_string())
+        },
+        "grouped" => |number| grouped(number.parse().expect("a number")),
+        "counted" => |number| counted(number.parse().expect("a number"), "case", "cases"),
         "wraps" => |text| {
             let (name, number) = text.split_once(' ').expect("a type and a number");
             ty(name)
@@ -146,4 +156,34 @@ fn spelled(text: &str) -> String {
         |_| "-".to_owned(),
         |one| format!("{} | {}", one.literal, one.value),
     )
+}
+
+/// Says whether a value is near one that is expected, `REAL#1.0 within 1 | REAL#1.0000001`; a dash where none is near that.
+fn near(text: &str) -> String {
+    let (expected, given) = text.split_once(" | ").expect("two values");
+    let Ok(expected) = Value::parse_expected(expected) else {
+        return "-".to_owned();
+    };
+    assert_eq!(Value::parse_expected(&expected.to_string()), Ok(expected.clone()));
+    let is_near = expected.admits(&Value::parse(given).expect("a literal"));
+    if is_near { "yes" } else { "no" }.to_owned()
+}
+
+/// Says where a version lies that is compared with those from one on, `0.244 | 0.244.0`.
+fn versions(text: &str) -> String {
+    let (since, version) = text.split_once(" | ").expect("two versions");
+    let versions = Versions {
+        since: Some(since.to_owned()),
+        until: None,
+    };
+    assert!(
+        Versions::default().include(version),
+        "all versions have {version}"
+    );
+    match (versions.include(version), versions.begin_after(version)) {
+        (true, false) => "among them",
+        (false, true) => "before them",
+        _ => "neither",
+    }
+    .to_owned()
 }
