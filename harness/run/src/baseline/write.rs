@@ -7,11 +7,7 @@ use std::path::Path;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
 
 /// The comment at the head of a new file.
-const HEAD: &str = "\
-# What this engine is known to do otherwise than documents say. A run fails by what is not here, and by what is here and no
-# longer so. `stickler bless` writes down what a run found, and keeps the reasons, links and comments of what is still so.
-# The keys are explained in reports/README.md.
-";
+const HEAD: &str = include_str!("head.toml");
 
 /// The decision about an old entry.
 pub(super) enum Fate {

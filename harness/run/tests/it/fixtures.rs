@@ -96,6 +96,13 @@ pub fn ids(events: &[Event]) -> Vec<String> {
     events.iter().filter_map(id).collect()
 }
 
+/// Returns the ids, dialects and engines of the cases of [`numbered`] on `puppet`.
+pub fn numbered_ids(numbers: Range<usize>) -> Vec<String> {
+    numbers
+        .map(|number| format!("area/{number}@matiec puppet"))
+        .collect()
+}
+
 /// Returns the footer of a whole run.
 pub fn footer(events: &[Event]) -> Option<&Footer> {
     match events.last() {

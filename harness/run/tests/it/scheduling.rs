@@ -1,7 +1,7 @@
 //! Tests of whole runs over engines that only pretend.
 
 use crate::fixtures::{
-    case, footer, ids, number, numbered, puppet, sources, suite, timeless_events, with_jobs,
+    case, footer, ids, number, numbered, numbered_ids, puppet, sources, suite, timeless_events, with_jobs,
 };
 use crate::words::outcome;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -40,9 +40,7 @@ fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
         (header.cases, header.started.as_str(), header.suite.as_str()),
         (300, "today", "0.9")
     );
-    let expected: Vec<String> = (0..300)
-        .map(|number| format!("area/{number}@matiec puppet"))
-        .collect();
+    let expected = numbered_ids(0..300);
     assert_eq!(ids(&events), expected);
     assert_eq!((footer(&events).unwrap().totals.pass, events.len()), (300, 302));
     let summary = summary.unwrap();
@@ -86,9 +84,7 @@ fn a_slow_first_case_does_not_change_the_order() {
         outcome("executed")
     });
     let (_, events) = go(&with_jobs(2), &numbered(0..200), &[&engine]);
-    let expected: Vec<String> = (0..200)
-        .map(|number| format!("area/{number}@matiec puppet"))
-        .collect();
+    let expected = numbered_ids(0..200);
     assert_eq!(ids(&events), expected);
 }
 
@@ -225,9 +221,7 @@ fn a_cancelled_run_gives_a_prefix_and_no_footer() {
     assert!(summary.cancelled);
     assert_eq!(footer(&events), None);
     assert!((20..10_000).contains(&summary.cases), "{}", summary.cases);
-    let expected: Vec<String> = (0..events.len() - 1)
-        .map(|number| format!("area/{number}@matiec puppet"))
-        .collect();
+    let expected = numbered_ids(0..events.len() - 1);
     assert_eq!(ids(&events), expected);
     assert_eq!(summary.cases, expected.len() as u64);
 }
