@@ -199,23 +199,16 @@ pub fn text(expected: &str, got: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Side, lines, text};
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn a_changed_value_stands_beside_the_value_expected() {
-        assert_eq!(text("r = INT#-5", "r = INT#251"), "+ r = INT#-5\n- r = INT#251\n");
-    }
-
-    #[test]
-    fn equal_texts_have_no_difference() {
-        assert!(lines("a\nb\n", "a\nb\n").is_empty());
-    }
-
-    #[test]
-    fn a_last_line_is_the_same_where_the_other_text_goes_on() {
-        assert_eq!(text("a\nb", "a\nb\nc"), "  a\n  b\n- c\n");
-        assert_eq!(text("a\nb\nc", "b"), "+ a\n  b\n+ c\n");
-        assert_eq!(text("", "b"), "- b\n");
-        assert!(lines("a\nb\n", "a\nb").is_empty());
+    fn golden_differences() {
+        check_examples("tests/differences.md", |example| {
+            match text(example.text("expected"), example.text("got")) {
+                same if same.is_empty() => "none".to_owned(),
+                differences => differences,
+            }
+        });
     }
 
     #[test]

@@ -151,6 +151,7 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 mod tests {
     use super::{MAX_PROGRAM_LEN, clip, duration, kept, noted, visible};
     use crate::sample;
+    use stickler_mdtest::assert_fits;
     use stickler_run::{BaselineNote, Verdict};
 
     #[test]
@@ -175,10 +176,7 @@ mod tests {
             ..note
         };
         let reported = noted(&note);
-        assert!(
-            reported.contains(" expects fail or crash or pass: rounds"),
-            "{reported}"
-        );
+        assert_fits(&reported, "… expects fail or crash or pass: rounds…");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::{EventLog, NAME, Reader, log_of, recognize, unpacked};
 use crate::{LogError, sample};
 use std::fs;
-use stickler_mdtest::check_examples;
+use stickler_mdtest::{assert_fits, check_examples};
 use stickler_run::{CaseEvent, Event, FORMAT, Verdict};
 
 /// Returns the compressed log of a run.
@@ -93,9 +93,9 @@ fn what_cases_have_in_common_is_written_once_and_a_passed_case_on_a_short_line()
     let text = String::from_utf8(log_of(&sample::run_of(cases.to_vec()))).expect("text");
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 5, "{text}");
-    assert!(
-        lines[1].starts_with(r#"{"type":"group","number":0,"group":{"id":"widening/a::p","#),
-        "{text}"
+    assert_fits(
+        lines[1],
+        r#"{"type":"group","number":0,"group":{"id":"widening/a::p",…"#,
     );
     assert_eq!(lines[3], r#"[0,"(2)",12,305419896]"#);
 }

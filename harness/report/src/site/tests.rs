@@ -12,6 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice;
 use stickler_conversions::overview::Statements;
+use stickler_mdtest::assert_fits;
 use stickler_run::{CaseEvent, Event, Verdict};
 
 /// Builds the site of these runs, without documents about conversions.
@@ -107,10 +108,7 @@ fn a_run_is_known_from_its_log_of_any_name_alone_and_not_from_its_results() {
     sample::report(&old, &sample::run());
     let error = write(&[old.join("results.json")], &alone).expect_err("not the whole run");
     let error = crate::parts::describe_error(&error);
-    assert!(
-        error.contains("this is a results.json of format 4 and no event log"),
-        "{error}"
-    );
+    assert_fits(&error, "…this is a results.json of format 4 and no event log…");
 }
 
 #[test]
@@ -151,16 +149,13 @@ fn what_no_site_can_be_made_of_is_refused_with_its_place() {
         format!("{error}: {}", source.unwrap_or_default())
     };
     let error = refused(cut);
-    assert!(
-        error.contains("cut/events.jsonl.gz: the run was cut short after 4 cases"),
-        "{error}"
+    assert_fits(
+        &error,
+        "…cut/events.jsonl.gz: the run was cut short after 4 cases…",
     );
     assert!(refused(folder.path().join("missing")).contains("missing: cannot read the event log"));
     let error = refused(folder.path().to_owned());
-    assert!(
-        error.contains("events.jsonl.gz: cannot read the event log"),
-        "{error}"
-    );
+    assert_fits(&error, "…events.jsonl.gz: cannot read the event log…");
     let started = |time: &str| {
         let mut events = sample::run();
         sample::header(&mut events).started = time.to_owned();

@@ -2,6 +2,7 @@
 
 use super::{Detail, SHOWN_FAILURES, Surroundings, write};
 use crate::sample;
+use stickler_mdtest::assert_fits;
 use stickler_run::{CaseEvent, Event, SourceKind, Verdict};
 
 fn shown(events: &[Event]) -> String {
@@ -31,12 +32,12 @@ fn thousands_of_failures_are_counted_and_not_all_shown() {
     let text = shown(&sample::run_of(cases));
     assert_eq!(text.matches("CRASH").count(), SHOWN_FAILURES);
     let rest = 3000 - SHOWN_FAILURES;
-    assert!(
-        text.contains(&format!(
-            "and {} more that are not as expected; all are in",
+    assert_fits(
+        &text,
+        &format!(
+            "…and {} more that are not as expected; all are in…",
             stickler_types::grouped(rest as u64)
-        )),
-        "{text}"
+        ),
     );
 }
 
@@ -109,25 +110,12 @@ fn a_large_run_in_which_all_is_well_fits_a_screen_whatever_its_width() {
 #[test]
 fn many_sources_are_summed_up_by_kind_and_those_that_are_not_met_are_named() {
     let text = shown(&large(&["reference"], 1, Verdict::Fail));
-    let table = "
-Claims                                          sources  passed  failed  open
-  document                                           10      10       0     0
-  measurement                                        10      10       0     0
-  recording                                          10      10       0     0
-  rule                                               10       9       0     1
-  standard                                           10       9       1     0
-    source-49                                                 0       1     0
-      A section of many words that is longer …                0       1     0
-
-Cases         reference
-  bit-access          9
-  conversion        8/9
-";
+    let table = include_str!("tests/large.txt");
     assert!(text.contains(table) && !text.contains("not shown"), "{text}");
     let many = shown(&large(&["reference"], 11, Verdict::Fail));
-    assert!(
-        many.contains("\n  2 more rows are not shown; --verbose and summary.md have all\n"),
-        "{many}"
+    assert_fits(
+        &many,
+        "…\n  2 more rows are not shown; --verbose and summary.md have all\n…",
     );
     let whole = Surroundings {
         detail: Detail::Whole,
