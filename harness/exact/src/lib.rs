@@ -44,6 +44,8 @@ mod calendar;
 mod catalogue;
 mod character;
 mod elementary;
+#[cfg(test)]
+mod fractions;
 mod implicit;
 mod integer;
 mod moment;

@@ -44,29 +44,19 @@ pub(crate) fn half_to_even(numerator: &BigUint, denominator: &BigUint) -> BigUin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fractions::{Fraction, distance, of_raw};
     use ElementaryType::{Lreal, Real};
     use num_bigint::BigInt;
-    use num_rational::Ratio;
 
-    type Fraction = Ratio<BigInt>;
-
-    /// Returns the positive number of a finite raw form.
     fn number(raw: u64, ty: ElementaryType) -> Fraction {
-        let real::Real::Finite(number) = real::decode(raw, ty) else {
-            panic!("{raw:X} is no finite {ty}");
-        };
-        Fraction::from_integer(number.significand.into())
-            * Fraction::from_integer(2.into()).pow(number.exponent)
+        of_raw(raw, ty).expect("a finite number")
     }
 
     /// Checks a result against the definition: no finite number is nearer, and of two equally near ones it is the even one.
     fn check(numerator: &BigUint, denominator: &BigUint, ty: ElementaryType) {
         let exact = Fraction::new(numerator.clone().into(), denominator.clone().into());
         let raw = nearest(false, numerator, denominator, ty);
-        let distance = |raw| {
-            let difference = number(raw, ty) - &exact;
-            difference.clone().max(-difference)
-        };
+        let distance = |raw| distance(&number(raw, ty), &exact);
         for other in [raw.saturating_sub(1), raw + 1] {
             if other == raw || other == real::infinite(false, ty) {
                 continue;

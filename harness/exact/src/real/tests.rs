@@ -1,13 +1,11 @@
 //! Compares the arithmetic on machine integers with fractions of any size, and with the definition of the formats.
 
 use super::*;
+use crate::fractions::{Fraction, of_raw, scaled};
 use ElementaryType::{Lreal, Real as Single};
 use num_bigint::{BigInt, BigUint};
-use num_rational::Ratio;
 use std::cmp::Ordering;
 use stickler_types::SplitMix64;
-
-type Fraction = Ratio<BigInt>;
 
 /// Returns raw forms around each boundary of the format, and scattered ones.
 fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
@@ -54,19 +52,12 @@ fn by_definition(raw: u64, ty: ElementaryType) -> Option<Fraction> {
     })
 }
 
-fn fraction(real: Real) -> Option<Fraction> {
-    let Real::Finite(number) = real else { return None };
-    let magnitude = Fraction::from_integer(number.significand.into())
-        * Fraction::from_integer(2.into()).pow(number.exponent);
-    Some(if number.negative { -magnitude } else { magnitude })
-}
-
 #[test]
 fn bits_are_taken_apart_by_definition_and_put_together_again() {
     for ty in [Single, Lreal] {
         for raw in raw_forms(ty) {
             let decoded = decode(raw, ty);
-            assert_eq!(fraction(decoded), by_definition(raw, ty), "{raw:X}");
+            assert_eq!(of_raw(raw, ty), by_definition(raw, ty), "{raw:X}");
             if let Real::Finite(number) = decoded {
                 let significand = number.significand.into();
                 assert_eq!(
@@ -128,8 +119,7 @@ fn rounding_gives_the_nearest_number_of_all() {
                 _ => (1 << (next() % 63)) | (1 << (next() % 63)),
             };
             let exponent = least + (next() % (greatest - least) as u64) as i32;
-            let exact =
-                Fraction::from_integer(magnitude.into()) * Fraction::from_integer(2.into()).pow(exponent);
+            let exact = scaled(magnitude, 2, exponent);
             let given = nearest(false, magnitude.into(), false, exponent, ty);
             assert_eq!(given, by_search(&exact, ty), "{magnitude} * 2^{exponent} as {ty}");
             let numerator = BigUint::from(magnitude) << exponent.max(0);

@@ -86,12 +86,10 @@ pub(super) fn scaled(number: Finite, raw: u64, ty: ElementaryType) -> RoundedDec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fractions::{Fraction, distance, of_raw, scaled};
     use ElementaryType::{Lreal, Real as Single};
     use num_bigint::BigInt;
-    use num_rational::Ratio;
     use stickler_types::SplitMix64;
-
-    type Fraction = Ratio<BigInt>;
 
     /// Returns raw forms of positive finite numbers around each power of two, and scattered ones.
     fn raw_forms(ty: ElementaryType) -> impl Iterator<Item = u64> {
@@ -107,20 +105,8 @@ mod tests {
         raws.filter(|&raw| raw != 0)
     }
 
-    /// Returns `number * base^exponent`.
-    fn fraction(number: impl Into<BigInt>, base: u32, exponent: i32) -> Fraction {
-        Fraction::from_integer(number.into()) * Fraction::from_integer(base.into()).pow(exponent)
-    }
-
     fn exact(raw: u64, ty: ElementaryType) -> Fraction {
-        match real::decode(raw, ty) {
-            Real::Finite(number) => fraction(number.significand, 2, number.exponent),
-            other => panic!("{raw:X} is {other:?}"),
-        }
-    }
-
-    fn distance(one: &Fraction, other: &Fraction) -> Fraction {
-        if one > other { one - other } else { other - one }
+        of_raw(raw, ty).expect("a finite number")
     }
 
     fn read_back(decimal: &Fraction, ty: ElementaryType) -> u64 {
@@ -142,15 +128,15 @@ mod tests {
             .flat_map(|ty| raw_forms(ty).map(move |raw| (ty, raw)))
         {
             let (number, scale) = joined(&shortest(raw, ty));
-            let (exact, own) = (exact(raw, ty), fraction(number.clone(), 10, scale));
+            let (exact, own) = (exact(raw, ty), scaled(number.clone(), 10, scale));
             assert_eq!(read_back(&own, ty), raw, "{number}E{scale}");
-            for other in [&number - 1, &number + 1].map(|other| fraction(other, 10, scale)) {
+            for other in [&number - 1, &number + 1].map(|other| scaled(other, 10, scale)) {
                 let is_nearer = distance(&other, &exact) < distance(&own, &exact);
                 assert!(!is_nearer || read_back(&other, ty) != raw, "{number}E{scale}");
             }
             // With one digit less only these two could be next to the number.
             let fewer: BigInt = &number / 10;
-            for other in [fewer.clone(), fewer + 1].map(|other| fraction(other, 10, scale + 1)) {
+            for other in [fewer.clone(), fewer + 1].map(|other| scaled(other, 10, scale + 1)) {
                 let is_long = number >= BigInt::from(10) && other.numer() != &BigInt::ZERO;
                 assert!(!is_long || read_back(&other, ty) != raw, "{number}E{scale}");
             }
@@ -167,8 +153,8 @@ mod tests {
                 let decimal = significant(raw, ty, count);
                 assert!((1..=usize::from(count)).contains(&decimal.digits.len()));
                 let (number, scale) = joined(&decimal);
-                let unit = fraction(1, 10, decimal.exponent + 1 - i32::from(count));
-                let difference = distance(&fraction(number, 10, scale), &exact(raw, ty));
+                let unit = scaled(1, 10, decimal.exponent + 1 - i32::from(count));
+                let difference = distance(&scaled(number, 10, scale), &exact(raw, ty));
                 assert!(
                     difference * BigInt::from(2) <= unit,
                     "{raw:X} with {count} digits"
