@@ -156,12 +156,7 @@ mod tests {
 
     #[test]
     fn a_program_with_everything_holds() {
-        let text = "TYPE Color : (Red, Green := 5); Rec : STRUCT a, b : INT := 3; END_STRUCT; END_TYPE
-            FUNCTION F : INT VAR_INPUT x : INT; END_VAR f := X * 2; END_FUNCTION
-            PROGRAM main VAR r : REC; c : color := RED; b : BYTE := 16#8_0; t : STRING(5) := 'it$'s'; END_VAR
-            IF r.A > 5 & TRUE THEN r.b := f(x := r.a); ELSE b.%X007 := FALSE; END_IF (* no semicolon *)
-            END_PROGRAM";
-        assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked));
+        assert_eq!(judge(include_bytes!("everything.st")), Ok(InputOutcome::Checked));
     }
 
     #[test]
