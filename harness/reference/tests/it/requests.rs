@@ -7,11 +7,7 @@ use stickler_types::{
 
 const ED3: DialectName = DialectName::IRONPLC_ED3;
 
-const PROGRAM: &str = "TYPE COLOR : (RED, GREEN); END_TYPE
-PROGRAM main
-VAR n : INT; s : STRING[3]; c : COLOR; a : ARRAY[1..2] OF INT; END_VAR
-    n := n + 1;
-END_PROGRAM";
+const PROGRAM: &str = include_str!("requested.st");
 
 fn attempt(
     source: &str,
@@ -34,15 +30,17 @@ fn attempt_to_set(before: u32, name: &str, literal: &str) -> Result<Outcome, Req
     attempt(PROGRAM, 2, &[], &[Setting { before, name, value }])
 }
 
+#[track_caller]
+fn assert_unknown(outcome: &Result<Outcome, RequestError>) {
+    let is_unknown = matches!(outcome, Err(RequestError::UnknownName { .. }));
+    assert!(is_unknown, "{outcome:?}");
+}
+
 #[test]
 fn a_name_that_no_variable_has_is_an_error() {
     let observed = |name: &str| attempt(PROGRAM, 1, &[Observation::last(name, "")], &[]);
     for name in ["small", "a", "a[3]", "a[1].x", "n.3", "", "a[", "n[1]"] {
-        let outcome = observed(name);
-        assert!(
-            matches!(outcome, Err(RequestError::UnknownName { .. })),
-            "{name}: {outcome:?}"
-        );
+        assert_unknown(&observed(name));
     }
     assert!(observed("N").is_ok() && observed("A[2]").is_ok());
 }
@@ -62,13 +60,8 @@ fn a_request_that_does_not_fit_the_program_is_an_error() {
     assert_eq!(attempt(PROGRAM, 2, &[third], &[]), no_scan(3));
     assert_eq!(attempt_to_set(0, "n", "INT#5"), no_scan(0));
     assert_eq!(attempt_to_set(3, "n", "INT#5"), no_scan(3));
-    for setting in [
-        "n := DINT#5",
-        "s := INT#5",
-        "n := STRING#'5'",
-        "c := COLOR#BLUE",
-        "c := PAINT#RED",
-    ] {
+    let misfits = "n := DINT#5, s := INT#5, n := STRING#'5', c := COLOR#BLUE, c := PAINT#RED";
+    for setting in misfits.split(", ") {
         let (name, literal) = setting.split_once(" := ").expect("a setting");
         let outcome = attempt_to_set(1, name, literal);
         assert!(
@@ -76,11 +69,7 @@ fn a_request_that_does_not_fit_the_program_is_an_error() {
             "{name}, {literal}: {outcome:?}"
         );
     }
-    let unknown = attempt_to_set(1, "x", "INT#5");
-    assert!(
-        matches!(unknown, Err(RequestError::UnknownName { .. })),
-        "{unknown:?}"
-    );
+    assert_unknown(&attempt_to_set(1, "x", "INT#5"));
 }
 
 #[test]
