@@ -33,28 +33,21 @@ mod site;
 mod sources;
 mod sweep;
 
-use crate::arguments::{
-    Arguments, BlessArguments, ChangesArguments, CheckArguments, CompareArguments, CompletionsArguments,
-    ComplianceArguments, ContradictionsArguments, ConversionsArguments, DataArguments, EngineArguments,
-    EnginesArguments, EvalArguments, ExplainArguments, ExportArguments, FuzzArguments, ImportArguments,
-    JudgeArguments, LintArguments, ListArguments, MatrixArguments, MergeArguments, PortArguments,
-    PromoteArguments, RecordArguments, ReduceArguments, ReproduceArguments, RunArguments, ShowArguments,
-    SiteArguments, SourceArguments, SourcesArguments, SweepArguments,
-};
+use crate::arguments::{self, Arguments};
 use crate::exit::Exit;
 use clap::Subcommand;
 use std::io::Write;
 
 /// Defines the commands: of each its help, the module that executes it, and its arguments. The examples in its help are those of the module.
 macro_rules! commands {
-    ($($(#[$help:meta])+ $module:ident: $command:ident($arguments:ty),)+) => {
+    ($($(#[$help:meta])+ $module:ident: $command:ident($arguments:ident),)+) => {
         /// The commands.
         #[derive(Subcommand, Debug)]
         pub enum Command {
             $(
                 $(#[$help])+
                 #[command(after_help = include_str!(concat!("arguments/examples/", stringify!($module), ".txt")))]
-                $command($arguments),
+                $command(arguments::$arguments),
             )+
         }
 
@@ -63,7 +56,7 @@ macro_rules! commands {
         /// # Errors
         /// The error that kept the command from its work.
         pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-            match arguments.command.unwrap_or_else(|| Command::Run(RunArguments::default())) {
+            match arguments.command.unwrap_or_else(|| Command::Run(arguments::RunArguments::default())) {
                 $(Command::$command(arguments) => $module::execute(&arguments, out),)+
             }
         }

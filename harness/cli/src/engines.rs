@@ -298,6 +298,7 @@ fn free(own: &str, taken: &[&str]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{by_name, by_names, free};
+    use stickler_mdtest::assert_fits;
 
     #[test]
     fn an_engine_that_is_named_twice_is_used_once() {
@@ -310,10 +311,7 @@ mod tests {
     fn a_name_that_no_engine_has_is_an_error() {
         let names = ["reference".to_owned(), "nobody".to_owned()];
         let error = by_names(&names).err().unwrap().to_string();
-        assert!(
-            error.contains("`nobody`") && error.contains("`cmd:COMMAND LINE`"),
-            "{error}"
-        );
+        assert_fits(&error, "…`nobody`…`cmd:COMMAND LINE`…");
         assert!(by_name("cmd:no-such-program-anywhere").is_err());
     }
 

@@ -132,26 +132,12 @@ pub(super) fn time(text: &str) -> Result<Duration, String> {
 #[cfg(test)]
 mod tests {
     use super::time;
-    use std::time::Duration;
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn a_time_is_read_and_nothing_else() {
-        assert_eq!(time("90s"), Ok(Duration::from_secs(90)));
-        assert_eq!(time("90"), Ok(Duration::from_secs(90)));
-        assert_eq!(time("10m"), Ok(Duration::from_secs(600)));
-        assert_eq!(time("2h"), Ok(Duration::from_secs(7200)));
-        assert_eq!(time("500ms"), Ok(Duration::from_millis(500)));
-        for text in [
-            "",
-            "s",
-            "-1s",
-            "1.5h",
-            "1 d",
-            "10x",
-            "99999999999999999999s",
-            "9999999999999999h",
-        ] {
-            assert!(time(text).is_err(), "{text}");
-        }
+    fn golden_times() {
+        check_examples("tests/times.md", |example| {
+            time(example.text("text")).map_or_else(|_| "none".to_owned(), |time| format!("{time:?}"))
+        });
     }
 }

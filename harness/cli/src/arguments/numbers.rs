@@ -29,23 +29,17 @@ where
 #[cfg(test)]
 mod tests {
     use super::whole;
+    use std::fmt::Display;
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn a_number_is_read_and_anything_else_is_told_what_to_write() {
-        let jobs = whole::<u16>(1, 1024);
-        assert_eq!(jobs("1024"), Ok(1024));
-        for (text, reported) in [
-            ("0", "it must be a number from 1 to 1024"),
-            ("1025", "it must be a number from 1 to 1024"),
-            ("99999999999999999999", "it must be a number from 1 to 1024"),
-            ("-1", "write a whole number from 1 to 1024"),
-            ("1.5", "write a whole number from 1 to 1024"),
-            ("", "write a whole number from 1 to 1024"),
-        ] {
-            assert_eq!(jobs(text), Err(reported.to_owned()), "{text}");
+    fn golden_numbers() {
+        fn said(read: Result<impl Display, String>) -> String {
+            read.map_or_else(|message| message, |number| number.to_string())
         }
-        let seed = whole::<u64>(0, u64::MAX);
-        assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));
-        assert_eq!(seed("-1"), Err("write a whole number, 0 or more".to_owned()));
+        check_examples("tests/numbers.md", |example| match example.wanted() {
+            "jobs" => said(whole::<u16>(1, 1024)(example.text("text"))),
+            _ => said(whole::<u64>(0, u64::MAX)(example.text("text"))),
+        });
     }
 }

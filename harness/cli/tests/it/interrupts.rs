@@ -6,6 +6,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Child, ChildStdout, Command};
 use std::time::{Duration, Instant};
+use stickler_mdtest::assert_fits;
 use stickler_report::LogError;
 use stickler_report::events::Reader;
 use tempfile::TempDir;
@@ -73,10 +74,7 @@ fn a_run_leaves_a_readable_log_that_is_marked_as_cut_short() {
     let shown = ended(run);
     assert!(log(folder.path()).0 < 2000);
     assert!(shown.contains("Cut short after"), "{shown}");
-    assert!(
-        shown.contains("events.jsonl.gz, as far as the run came"),
-        "{shown}"
-    );
+    assert_fits(&shown, "…events.jsonl.gz, as far as the run came…");
     let left = fs::read_dir(latest).expect("the folder").count();
     assert_eq!(left, 1, "only the log is left");
 }
@@ -141,10 +139,7 @@ fn a_campaign_ends_with_what_it_has() {
     interrupt(&campaign);
     out.read_to_string(&mut shown).expect("the rest");
     ended(campaign);
-    assert!(
-        shown.contains(" programs in ") && shown.contains("stopped before its end"),
-        "{shown}"
-    );
+    assert_fits(&shown, "… programs in …stopped before its end…");
     let record = fs::read_to_string(record).expect("the record");
     assert!(record.contains("\"complete\": false"), "{record}");
 }
@@ -187,9 +182,6 @@ fn a_reduction_ends_with_the_smallest_program_so_far() {
     wait_for(|| folder.path().join("under-way").exists());
     interrupt(&run);
     let shown = ended(run);
-    assert!(
-        shown.starts_with("PROGRAM main") && shown.contains("MOD"),
-        "{shown}"
-    );
+    assert_fits(&shown, "PROGRAM main…MOD…");
     assert!(shown.contains("the smallest program so far"), "{shown}");
 }

@@ -55,21 +55,14 @@ fn split(name: &str) -> (String, &str) {
 mod tests {
     use super::{list, split};
     use stickler_conversions::all_functions;
+    use stickler_mdtest::check_examples;
 
     #[test]
-    fn a_name_is_split_before_its_last_type() {
-        for (name, family, rest) in [
-            ("DINT_TO_INT", "DINT_TO_…", "INT"),
-            ("TO_INT", "TO_…", "INT"),
-            ("UINT_TO_BCD_WORD", "UINT_TO_BCD_…", "WORD"),
-            ("WORD_BCD_TO_UINT", "WORD_BCD_TO_…", "UINT"),
-            ("REAL_TRUNC_INT", "REAL_TRUNC_…", "INT"),
-            ("TRUNC_INT", "TRUNC_…", "INT"),
-            ("TRUNC", "also:", "TRUNC"),
-            ("CONCAT_DATE_TOD", "also:", "CONCAT_DATE_TOD"),
-        ] {
-            assert_eq!(split(name), (family.to_owned(), rest));
-        }
+    fn golden_names() {
+        check_examples("tests/names.md", |example| {
+            let (family, rest) = split(example.text("name"));
+            format!("{family} {rest}")
+        });
     }
 
     #[test]
