@@ -14,16 +14,9 @@ const DIALECT: DialectName = DialectName::IRONPLC_ED3;
 
 /// Returns a case of a widening table: it runs if the one type widens to the other, and is rejected otherwise.
 fn case(from: &str, into: &str) -> String {
-    format!(
-        "PROGRAM main
-VAR
-    data : {from} := -128;
-    into : {into};
-END_VAR
-    into := data;
-END_PROGRAM
-"
-    )
+    include_str!("texts/widening.st")
+        .replace("FROM", from)
+        .replace("INTO", into)
 }
 
 /// A typical function, repeated under many names.
