@@ -112,7 +112,7 @@ impl Value {
     #[must_use]
     pub fn truth(&self) -> Option<bool> {
         match *self {
-            Value::Plain { ty, raw } if ty == ElementaryType::Bool => Some(raw != 0),
+            Value::Plain { ty, raw } => (ty == ElementaryType::Bool).then_some(raw != 0),
             _ => None,
         }
     }

@@ -108,8 +108,11 @@ fn the_longest_shifts_from_those_that_leave_nothing() {
 #[test]
 fn products_that_are_subnormal_from_zero() {
     let is_subnormal = |value: &Value| match *value {
-        Value::Plain { ty, raw } if ty == ElementaryType::Real => f32::from_bits(raw as u32).is_subnormal(),
-        Value::Plain { ty, raw } if ty == ElementaryType::Lreal => f64::from_bits(raw).is_subnormal(),
+        Value::Plain { ty, raw } => match ty {
+            ElementaryType::Real => f32::from_bits(raw as u32).is_subnormal(),
+            ElementaryType::Lreal => f64::from_bits(raw).is_subnormal(),
+            _ => false,
+        },
         _ => false,
     };
     let subnormal = |seed: &u64| {

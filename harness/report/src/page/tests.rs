@@ -114,7 +114,7 @@ fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
         .collect();
     assert_eq!(causes, [("first", false, 7), ("second", true, 3)]);
     let report = run["causes"][0]["report"].as_str().expect("a report");
-    assert_fits(&report, "…PROGRAM m END_PROGRAM…INT#-128…");
+    assert_fits(report, "…PROGRAM m END_PROGRAM…INT#-128…");
 }
 
 #[test]
