@@ -14,6 +14,7 @@ use crate::normal_form::{NUMBERS_PLACELESS, Normal};
 use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
+use crate::question::wrong_values;
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
@@ -63,7 +64,9 @@ impl Essence {
         let sign = &normal.deviation.sign;
         // What fails whatever the values are.
         let pattern = match sign.symptom {
-            Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
+            Symptom::Value if normal.is_beginning() || begins_in_block(&read, normal) => {
+                Some("initial value in a FUNCTION_BLOCK")
+            }
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
             // A loop that never ends counts on.
             Symptom::Hang if loop_beyond_limit(&read).is_some() => Some(TO_LAST_VALUE),
@@ -304,6 +307,14 @@ fn needs(
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
+}
+
+/// Returns whether the first wrong value is one that a variable of a function block begins with.
+fn begins_in_block(program: &ReadProgram<'_, '_>, normal: &Normal) -> bool {
+    let wrong = wrong_values(&normal.deviation.expected, &normal.deviation.got).next();
+    let instance = wrong.and_then(|(name, _)| Some(name.split_once('.')?.0));
+    instance.is_some_and(|name| program.is_instance(name))
+        && shows_initial_value(&normal.program, &normal.deviation)
 }
 
 /// Returns whether a program divides by a value of another kind, which is taken for zero as it may be taken for another wrong value.

@@ -21,7 +21,8 @@ impl<'t, 's> ReadProgram<'t, 's> {
         // A block that is given nothing computes it by itself.
         let in_block = || {
             let (instance, member) = path.split_once('.')?;
-            self.assignment(member).filter(|_| self.is_instance(instance))
+            let assigned = self.assignment(member).filter(|_| self.is_instance(instance))?;
+            (self.copied(&assigned) != Some(member)).then_some(assigned)
         };
         let Some(mut last) = self.assignment(path).or_else(in_block) else {
             return self.field_value(path).map(|span| self.line(span));
