@@ -134,6 +134,7 @@ fn golden_sources() {
                 let found = [
                     sources.telling(ToldSymptom::Crash, "matiec", said),
                     sources.telling(ToldSymptom::NoPlace, "matiec", said),
+                    sources.telling(ToldSymptom::FaultLine, "matiec", said),
                     sources.of_code("P4035", "matiec"),
                     sources.of_code("P4035", "ironplc"),
                 ];
