@@ -18,7 +18,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
-use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
+use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_types::{Code, Dialect};
 
 /// A cause while groups are added to it.
@@ -193,9 +193,8 @@ impl GrowingCause {
         }
         if let Some(basis) = promise_of_place(&self.shared, (&shown.program, case), (engine, suite)) {
             cite(&mut shown.got, basis, &suite.sources);
-            shown.basis = basis.to_owned();
             shown.is_derived = false;
-            self.rank = rank(basis, &engine.name, &suite.sources);
+            self.rest_on(basis, engine, suite);
         }
     }
 
@@ -212,9 +211,9 @@ impl GrowingCause {
         let binding =
             |some: &&ExplainedCases| some.verdict != Verdict::Differs && is_about_function(&some.basis);
         if let Some(some) = self.cause.cases.iter().find(binding) {
-            self.cause.shown.basis.clone_from(&some.basis);
+            let basis = some.basis.clone();
             self.cause.shown.is_derived = false;
-            self.rank = rank(&some.basis, &engine.name, &suite.sources);
+            self.rest_on(&basis, engine, suite);
         }
     }
 
@@ -231,7 +230,9 @@ impl GrowingCause {
                 | Symptom::Surplus(_)
                 | Symptom::OtherCode { .. }
         );
-        let is_binding = first.verdict != Verdict::Differs && !first.basis.starts_with("rule:");
+        let is_rule = |(source, _): (&Source, &str)| source.kind == SourceKind::Rule;
+        let is_binding =
+            first.verdict != Verdict::Differs && !suite.sources.of(&first.basis).is_some_and(is_rule);
         if self.keeps_claim
             && is_one
             && is_binding
@@ -239,9 +240,14 @@ impl GrowingCause {
             && self.essence.pattern.is_none()
             && !self.differs
         {
-            self.cause.shown.basis.clone_from(&first.basis);
-            self.rank = rank(&first.basis, &engine.name, &suite.sources);
+            let basis = first.basis.clone();
+            self.rest_on(&basis, engine, suite);
         }
+    }
+
+    fn rest_on(&mut self, basis: &str, engine: &Identity, suite: &Suite) {
+        basis.clone_into(&mut self.cause.shown.basis);
+        self.rank = rank(basis, &engine.name, &suite.sources);
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
