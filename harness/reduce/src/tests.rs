@@ -18,6 +18,7 @@ struct Reductions {
 struct ReducedText {
     name: String,
     start: Option<String>,
+    dialect: Option<String>,
     broken: Option<String>,
     to: Vec<Remainder>,
 }
@@ -33,8 +34,8 @@ struct Remainder {
     lacks: Vec<String>,
 }
 
-fn accepted(text: &str) {
-    let diagnostics = stickler_reference::errors(text, DialectName::IRONPLC_ED3);
+fn accepted(text: &str, dialect: DialectName) {
+    let diagnostics = stickler_reference::errors(text, dialect);
     assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
 }
 
@@ -45,14 +46,16 @@ fn what_remains_of_each_text_is_what_its_words_need() {
     for ReducedText {
         name,
         start,
+        dialect,
         broken,
         to,
     } in file.reduction
     {
         let start = start.as_deref().unwrap_or(MACHINE);
+        let dialect = dialect.map_or(DialectName::IRONPLC_ED3, |name| name.parse().expect("a dialect"));
         let check = |text: &str| {
             if broken.is_none() {
-                accepted(text)
+                accepted(text, dialect)
             }
         };
         check(start);
@@ -64,12 +67,7 @@ fn what_remains_of_each_text_is_what_its_words_need() {
         } in to
         {
             let shows = |text: &str| Interestingness::from(words.iter().all(|word| text.contains(word)));
-            let found = text(
-                start,
-                DialectName::IRONPLC_ED3,
-                shows,
-                &ReductionBudget::default(),
-            );
+            let found = text(start, dialect, shows, &ReductionBudget::default());
             let rest = &found.value;
             check(rest);
             assert_eq!(found.ended, StopReason::Smallest, "{name}");
@@ -88,12 +86,12 @@ fn what_remains_of_each_text_is_what_its_words_need() {
 fn one_variable_takes_the_place_of_others_and_of_calls() {
     let start = "PROGRAM main\nVAR\n    a : DWORD;\n    b : DWORD;\n    c : UDINT;\nEND_VAR\n    a := SEL(TRUE, b, \
                  UDINT_TO_DWORD(c));\nEND_PROGRAM\n";
-    accepted(start);
+    let dialect = DialectName::IRONPLC_ED3;
+    accepted(start, dialect);
     let without_literals =
         |text: &str| Interestingness::from(text.contains("SEL(TRUE, ") && !text.contains(['0', '1']));
-    let dialect = DialectName::IRONPLC_ED3;
     let found = text(start, dialect, without_literals, &ReductionBudget::default());
-    accepted(&found.value);
+    accepted(&found.value, dialect);
     assert!(found.value.contains("a := SEL(TRUE, a, a);"), "{}", found.value);
     assert_eq!(found.value.matches(" : ").count(), 1, "{}", found.value);
 }

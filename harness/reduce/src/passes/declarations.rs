@@ -4,6 +4,7 @@ use crate::TextView;
 use crate::passes::parameters::{argument, calls, parameters};
 use std::ops::Range;
 use stickler_syntax::Edits;
+use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
     Declaration, Expression, ExpressionKind, InitializerKind, Name, Pou, PouKind, Statement, StatementKind,
@@ -38,7 +39,9 @@ pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
     let Some(program) = view.unit.pous().find(|pou| pou.kind == PouKind::Program) else {
         return Vec::new();
     };
-    let units = view.unit.pous().filter(|pou| pou.kind != PouKind::Program);
+    // A PROGRAM of the standard has no methods and no properties, and implements nothing.
+    let is_plain = |pou: &&Pou<'_>| pou.kind != PouKind::Program && !pou.is_object();
+    let units = view.unit.pous().filter(is_plain);
     let changes = units.map(|unit| {
         let mut edits = Edits::removing(program.span);
         let name = unit.name.span;
@@ -107,10 +110,23 @@ fn begun_inputs(view: &TextView<'_>, unit: &Pou<'_>, call: &Expression<'_>) -> V
     edits
 }
 
-/// Drops sections of variables.
+/// Drops sections of variables, and methods: each alone, and with its like in other units, since a function block has what an interface
+/// demands that it implements.
 pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
-    let sections = view.sections().into_iter();
-    view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
+    let sections = view.sections().into_iter().map(|section| section.span);
+    let sections = sections.map(|span| (span.text(view.text()), span));
+    let members = view.unit.pous().flat_map(|pou| &pou.members);
+    let parts: Vec<(&str, Span)> = sections
+        .chain(members.map(|member| (member.name.text, member.span)))
+        .collect();
+    let alike = parts.iter().map(|(name, _)| {
+        let like = parts.iter().filter(|(other, _)| other == name);
+        let mut edits = Edits::new();
+        edits.extend(like.map(|(_, span)| Edits::removing(*span)));
+        edits
+    });
+    let alone = parts.iter().map(|(_, span)| Edits::removing(*span));
+    view.only_allowed(alike.chain(alone).collect())
 }
 
 /// Joins a section of variables with the one before it of the same kind.
