@@ -166,6 +166,20 @@ impl Fact {
         }
     }
 
+    /// Returns the error among some facts that says most: the first one, or the first behind it on its line. Of a statement with a wrong part
+    /// a compiler often says first, at its beginning, what only follows; of what it cannot read it says it last.
+    #[must_use]
+    pub fn first_error(facts: &[Fact]) -> Option<&Diagnostic> {
+        let mut errors = facts.iter().filter_map(Fact::diagnostic);
+        let first = errors.next()?;
+        let is_unread = first.code.as_deref().is_some_and(|code| code.starts_with("P0"));
+        let mut inner = errors.filter(|error| error.line == first.line && error.column > first.column);
+        match first.column {
+            Some(_) if !is_unread => inner.next().or(Some(first)),
+            _ => Some(first),
+        }
+    }
+
     /// Returns how many lines the text of the fact has.
     #[must_use]
     pub fn lines(&self) -> usize {

@@ -221,8 +221,7 @@ fn reason(diagnostic: &Diagnostic) -> String {
 }
 
 fn first_reason(facts: &[Fact]) -> String {
-    let first = facts.iter().find_map(Fact::diagnostic);
-    first.map(reason).unwrap_or_default()
+    Fact::first_error(facts).map(reason).unwrap_or_default()
 }
 
 /// Returns the symptom where warnings differ. A missing warning counts before one that is not expected, which may be its other form.
