@@ -280,6 +280,7 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
                 "itself says otherwise",
                 format!("The claim ended with version {until}."),
             ),
+            (None, true) if cause.differs() => ("on the same", String::new()),
             (None, true) => ("on the same", "The claim binds it all the same.".to_owned()),
             (None, false) => (
                 "itself says otherwise",
@@ -288,8 +289,10 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
         };
         let _ = write!(
             text,
-            "{publisher} {says_what}: {section} ({title}) {says}. {binds}\n\n"
+            "{publisher} {says_what}: {section} ({title}) {says}. {binds}"
         );
+        text.truncate(text.trim_end().len());
+        text.push_str("\n\n");
     }
 }
 

@@ -67,6 +67,12 @@ impl Told<'_> {
                     None => fact.to_string(),
                 };
             }
+            Fact::Crashed { reason } | Fact::Unusable { reason } => {
+                return match self.printed_line(reason) {
+                    Some(line) => fact.to_string().replace(reason, &line),
+                    None => fact.to_string(),
+                };
+            }
             _ => return fact.to_string(),
         };
         let number = |line: &u32| {
@@ -86,6 +92,22 @@ impl Told<'_> {
             code.map_or(String::new(), |code| format!(" {code}")),
             reported.message
         )
+    }
+
+    /// Returns why a compiler died, or wrote what cannot be built, with the line that it printed, in which files have the names that they have
+    /// beside the page; `None` where it printed none.
+    fn printed_line(&self, reason: &str) -> Option<String> {
+        const SIGN: &str = "rror: ";
+        let tells = |line: &&str| {
+            line.split_once(SIGN)
+                .is_some_and(|(_, message)| reason.contains(message))
+        };
+        let line = self.printed.lines().find(tells)?;
+        let what = reason.split_once(": ").map_or("", |(what, _)| what);
+        Some(match line.contains(what) {
+            true => line.to_owned(),
+            false => format!("{what}: {line}"),
+        })
     }
 }
 

@@ -1,11 +1,12 @@
 //! Tests of the folders of pages; golden texts show the pages.
 
 use super::Discrepancies;
+use super::page::Told;
 use crate::sample::{self, names, value};
 use std::fs;
 use std::path::Path;
 use stickler_mdtest::assert_fits;
-use stickler_run::{CaseEvent, Cause, Event, Fact, Reduced, Verdict};
+use stickler_run::{CaseEvent, Cause, Event, Fact, Grade, Reduced, Verdict};
 
 fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
     CaseEvent {
@@ -103,4 +104,26 @@ fn a_name_of_a_folder_leads_nowhere_else() {
     ] {
         assert_eq!(super::file_name(name), folder);
     }
+}
+
+#[test]
+fn what_is_told_of_a_compiler_that_dies_is_what_the_commands_of_the_page_print() {
+    let told = |printed, fact: Fact| {
+        let strict = Grade::Line;
+        Told { printed, strict }.text(&[fact])
+    };
+    let unusable = || Fact::Unusable {
+        reason: "the C++ cannot be built: generated.hpp:54:5: error: no type HOST".to_owned(),
+    };
+    let printed = "accepted\nIn file included from driver.cpp:1:\nprogram.hpp:58:5: error: no type HOST\n";
+    assert_eq!(
+        told(printed, unusable()),
+        "accepted, but the C++ cannot be built: program.hpp:58:5: error: no type HOST"
+    );
+    assert_eq!(told("", unusable()), unusable().to_string());
+    let reason = "Error: not yet at translate (/tmp/x/dist/codegen.js:43)".to_owned();
+    assert_eq!(
+        told("Error: not yet\n    at translate\n", Fact::Crashed { reason }),
+        "crashed: Error: not yet"
+    );
 }
