@@ -10,7 +10,7 @@ use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{DERIVED, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
-use crate::normal_form::{NUMBERS_PLACELESS, Normal};
+use crate::normal_form::{BY_PLACE, NUMBERS_PLACELESS, Normal};
 use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
@@ -64,6 +64,8 @@ impl Essence {
         let sign = &normal.deviation.sign;
         // What fails whatever the values are.
         let pattern = match sign.symptom {
+            _ if normal.way == Some(BY_PLACE) => normal.way,
+            Symptom::Unusable(_) => normal.way,
             Symptom::Value if normal.is_beginning() || begins_in_block(&read, normal) => {
                 Some("initial value in a FUNCTION_BLOCK")
             }
@@ -89,9 +91,15 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
-        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Unusable(_) | Symptom::Fault(_));
+        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Fault(_));
         let (symptom, mut features, is_contained) = match pattern {
             Some(TO_LAST_VALUE) => (Symptom::Value.word(), words([TO_LAST_VALUE]), false),
+            // What goes wrong with a value depends on its type.
+            Some(BY_PLACE) => (BY_PLACE.to_owned(), BTreeSet::new(), false),
+            // What a compiler of C says depends on what the operand is given to.
+            Some(way) if matches!(sign.symptom, Symptom::Unusable(_)) => {
+                ("unusable".to_owned(), words([way]), false)
+            }
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None if let Some(way) = normal.way.filter(|_| tells_way) => {
                 let symptom = if sign.accepts() {
@@ -172,14 +180,22 @@ fn needs(
                 true => ACCEPTED.to_owned(),
                 false => format!("{ACCEPTED} {code}"),
             };
+            // That what is passed can be written says also that it is a variable.
+            if is_one_of(
+                code,
+                &[Code::FunctionCallInOutArgNotVariable, Code::InOutArgNotWritable],
+            ) {
+                return (format!("{ACCEPTED} in-out argument"), features, names_construct);
+            }
             // What has the name of another element of the library is found in one table.
-            let is_doubled = [
-                Code::TypeDeclNameDuplicated,
-                Code::PouDeclNameDuplicated,
-                Code::FunctionDeclNameDuplicated,
-            ]
-            .iter()
-            .any(|one| one.as_str() == code);
+            let is_doubled = is_one_of(
+                code,
+                &[
+                    Code::TypeDeclNameDuplicated,
+                    Code::PouDeclNameDuplicated,
+                    Code::FunctionDeclNameDuplicated,
+                ],
+            );
             if is_doubled {
                 return (format!("{ACCEPTED} doubled name"), BTreeSet::new(), false);
             }
@@ -296,7 +312,7 @@ fn needs(
                 Code::BitStringCaseLabelNotAllowed,
                 Code::BitAccessOutOfRange,
             ];
-            let is_of_number = normal.way.is_some() || of_number.iter().any(|one| one.as_str() == code);
+            let is_of_number = normal.way.is_some() || is_one_of(code, &of_number);
             let symptom = match is_of_number {
                 true => LITERAL_WITHOUT_PLACE.to_owned(),
                 false => format!("no place {code}"),
@@ -330,6 +346,18 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
     if code == Code::AssignmentToConstant.as_str() {
         features.remove(LITERAL);
         features.insert("constant".to_owned());
+    }
+    // Whether a variable or a part that does not exist is read or assigned does not matter.
+    if code == Code::VariableUndefined.as_str() {
+        features.retain(|feature| feature != LITERAL && !LINE_PLACES.contains(&feature.as_str()));
+        features.insert(
+            if line.has_part() {
+                "part of a variable"
+            } else {
+                "variable"
+            }
+            .to_owned(),
+        );
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {
@@ -410,6 +438,11 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
 fn says(got: &[Fact], code: Code) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
     codes.any(|said| said == code)
+}
+
+/// Returns whether a code is one of some.
+fn is_one_of(code: &str, codes: &[Code]) -> bool {
+    codes.iter().any(|one| one.as_str() == code)
 }
 
 /// Returns whether the words of a rejection say what the compiler does not support.

@@ -33,7 +33,7 @@ const GROUP_TIME: Duration = Duration::from_secs(20);
 const MAX_PACK_LEN: usize = 12;
 
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
-const REPRODUCTION_SHARE: u32 = 10;
+const REPRODUCTION_SHARE: u32 = 5;
 
 /// The limits of a search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -42,7 +42,7 @@ pub struct SearchLimits {
     pub questions: u64,
     /// The maximum number of questions for one group of cases.
     pub questions_a_group: u64,
-    /// The time after which no more questions are asked, and at which the last ones are cut off; its last tenth is for running the
+    /// The time after which no more questions are asked, and at which the last ones are cut off; its last fifth is for running the
     /// commands of what was found. What is found then depends on the speed of the machine.
     pub time: Duration,
 }

@@ -7,6 +7,7 @@ use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, is_unread};
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
+use crate::program::read;
 use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
 use crate::subjects::Subjects;
@@ -19,6 +20,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
+use stickler_syntax::tree::Pou;
 use stickler_types::{Code, Dialect};
 
 /// A cause while groups are added to it.
@@ -72,7 +74,11 @@ impl GrowingCause {
         let is_plainer = smallest.deviation.sign.accepts()
             && normal.deviation.sign == smallest.deviation.sign
             && is_as_small;
-        let is_other_form = is_plainer || normal.has_variables;
+        // What a variable begins with shows best where nothing copies it.
+        let is_empty = |pou: &Pou<'_>| pou.body.is_empty();
+        let is_initial = smallest.deviation.sign.symptom == Symptom::Value
+            && read(&normal.program, |program| program.unit.pous().all(is_empty));
+        let is_other_form = is_plainer || is_initial || normal.has_variables;
         let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),

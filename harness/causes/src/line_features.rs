@@ -180,6 +180,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         forms_of_literals(self.text())
     }
 
+    /// Returns whether the line names a part of a variable.
+    pub(crate) fn has_part(&self) -> bool {
+        words(self.text()).contains(&".")
+    }
+
     /// Returns whether the line has an escape in a text.
     pub(crate) fn has_escape(&self) -> bool {
         words(self.text())

@@ -194,12 +194,14 @@ fn definition(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>) -> Opti
     let TypeSpecificationKind::Named(name) = &ty.kind else {
         return None;
     };
-    let mut units = program
-        .unit
-        .pous()
-        .filter(|pou| pou.kind == PouKind::FunctionBlock);
-    if let Some(block) = units.find(|pou| pou.name.is(name.text)) {
-        return Some(format!("{} : FUNCTION_BLOCK", block.name.text));
+    if let Some(pou) = program.unit.pous().find(|pou| pou.name.is(name.text)) {
+        let implements: Vec<&str> = pou.implements.iter().map(|name| name.text).collect();
+        let implements = match &implements[..] {
+            [] => String::new(),
+            names => format!(" IMPLEMENTS {}", names.join(", ")),
+        };
+        let kind = words(pou.span.text(program.text)).into_iter().next()?;
+        return Some(format!("{} : {kind}{implements}", pou.name.text));
     }
     let declared = program.declared_type(name.text)?;
     let written = match declared.specification.kind {
@@ -288,6 +290,8 @@ fn section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
         .next()?;
     match head {
         "VAR" if section.constant => Some("VAR CONSTANT"),
+        "VAR_EXTERNAL" if section.constant => Some("VAR_EXTERNAL CONSTANT"),
+        "VAR_GLOBAL" if section.constant => Some("VAR_GLOBAL CONSTANT"),
         "VAR" => None,
         _ => Some(head),
     }
@@ -299,6 +303,7 @@ pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'st
     match program.unit.pous().rfind(|pou| begins_before(pou.span))?.kind {
         PouKind::Program => None,
         PouKind::Function => Some("a FUNCTION"),
+        PouKind::Interface => Some("an INTERFACE"),
         _ => Some("a FUNCTION_BLOCK"),
     }
 }

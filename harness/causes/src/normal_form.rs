@@ -7,7 +7,7 @@
 mod draft_judge;
 mod other_forms;
 
-pub(crate) use other_forms::NUMBERS_PLACELESS;
+pub(crate) use other_forms::{BY_PLACE, NUMBERS_PLACELESS};
 
 use crate::alone::{alone, is_loop_alone, shows};
 use crate::beginning_block::is_beginning_block;
@@ -135,7 +135,11 @@ pub(crate) fn normal_form(
         search.minimise(&unused_method())?;
     }
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
+    if matches!(now, Symptom::Value | Symptom::Rejected(_) | Symptom::Unusable(_)) {
+        search.ordered_arguments()?;
+    }
     match now {
+        _ if search.normal.way.is_some() => {}
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
             search.other_forms()?;
             // The types and values of such an operation do not matter.
@@ -152,7 +156,12 @@ pub(crate) fn normal_form(
         }
         Symptom::NotRejected(_) if !search.normal.is_unchecked() => search.swapped_operands()?,
         Symptom::NoPlace(_) => search.places()?,
-        Symptom::Unusable(_) => search.variables_for_literals()?,
+        Symptom::Unusable(_) => {
+            search.variables_for_literals()?;
+            if search.normal.way.is_none() {
+                search.single_bytes()?;
+            }
+        }
         _ => {}
     }
     let mut normal = search.normal;

@@ -127,8 +127,11 @@ impl Asking<'_> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
         let case = shown_case_of(case, member);
+        let tells_run = |fact: &Fact| matches!(fact, Fact::Fault { .. } | Fact::TimedOut { .. });
         let ability = match &member.sign.symptom {
             Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang | Symptom::Fault(_) => Ability::Execute,
+            // What is accepted and should not be may stop, and the minimal program of a feature may not end.
+            _ if shown.got.iter().any(tells_run) => Ability::Execute,
             _ => shown_by(&case),
         };
         let request = case.request();

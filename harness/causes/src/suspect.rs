@@ -129,7 +129,8 @@ pub(crate) fn weight(line: &str) -> u8 {
         begins,
         If | Elsif | Case | For | While | Repeat | Until | Return | Exit | True | False
     );
-    if all.iter().all(|token| token.kind == Semicolon) || begins.is_keyword() && !is_statement {
+    let opens = all.last().is_some_and(|last| last.kind == Struct);
+    if all.iter().all(|token| token.kind == Semicolon) || begins.is_keyword() && !is_statement || opens {
         return 0;
     }
     let is_plain = |token: &Token| {

@@ -186,19 +186,11 @@ impl Titled<'_, '_> {
         is_computed && !target.eq_ignore_ascii_case(name)
     }
 
-    /// Returns what a code says is wrong. Subscripts have the code of operators, and elements that of variables, so that the reference
-    /// says which it is.
+    /// Returns what is wrong by the words of the reference, or else by those of the code.
     fn wrong(&self, code: &str) -> Option<String> {
-        let is_of_several = matches!(
-            code.parse(),
-            Ok(Code::OperatorOperandTypeMismatch | Code::VariableUndefined)
-        );
-        let said = || {
-            let errors = errors(self.program.text, DialectName::IEC_ED3).into_iter();
-            let mut of_code = errors.filter(|error| error.code.as_deref() == Some(code));
-            of_code.next().map(|error| error.message)
-        };
-        let said = is_of_several.then(said).flatten();
+        let errors = errors(self.program.text, DialectName::IEC_ED3).into_iter();
+        let mut of_code = errors.filter(|error| error.code.as_deref() == Some(code));
+        let said = of_code.next().map(|error| error.message);
         said.or_else(|| summary(code).map(str::to_owned))
     }
 
@@ -327,13 +319,9 @@ pub(crate) fn stops(got: &[Fact]) -> String {
     )
 }
 
-/// Returns the first diagnostic among some facts.
+/// Returns the error among some facts that says most.
 fn first(facts: &[Fact]) -> Diagnostic {
-    facts
-        .iter()
-        .find_map(Fact::diagnostic)
-        .cloned()
-        .unwrap_or_default()
+    Fact::first_error(facts).cloned().unwrap_or_default()
 }
 
 /// Returns the first warning of `these` that the others do not have.

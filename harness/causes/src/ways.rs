@@ -3,11 +3,14 @@
 use crate::alone::{binary, calculates, compares};
 use crate::forms::{body, end_of_variables};
 use crate::program::ReadProgram;
-use crate::words::type_of_word;
+use crate::words::{tokens, type_of_word};
 use std::collections::BTreeSet;
+use stickler_reference::place_of_input;
 use stickler_syntax::Edits;
+use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, StatementKind, UnaryOperator,
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, StatementKind,
+    UnaryOperator,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
@@ -79,6 +82,46 @@ pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<Str
         );
         is_mixed.then(|| Edits::replacing(part.expression.span, swapped).apply(program.text))
     })
+}
+
+/// Returns a program in which the named arguments of the first call of a standard function that has them in another order stand in that of
+/// the inputs; `None` where there is none.
+pub(crate) fn with_ordered_arguments(program: &ReadProgram<'_, '_>) -> Option<String> {
+    program.parts.iter().find_map(|part| {
+        let (function, arguments) = program.call(part.id)?;
+        let named = arguments.iter().map(|argument| match argument {
+            Argument::Named { name, value } => {
+                Some((place_of_input(function, name.text)?, name.text, *value))
+            }
+            Argument::Positional(_) | Argument::Output { .. } => None,
+        });
+        let mut ordered = named.collect::<Option<Vec<_>>>()?;
+        if program.declares(function) || ordered.is_sorted_by_key(|(place, ..)| *place) {
+            return None;
+        }
+        ordered.sort_by_key(|(place, ..)| *place);
+        let ordered = ordered.into_iter();
+        let ordered: Vec<String> = ordered
+            .map(|(_, name, value)| format!("{name} := {}", program.text(value)))
+            .collect();
+        let call = format!("{function}({})", ordered.join(", "));
+        Some(Edits::replacing(part.expression.span, call).apply(program.text))
+    })
+}
+
+/// Returns a program with texts of single-byte characters in the place of those of double-byte ones; `None` where it has none.
+pub(crate) fn with_single_bytes(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    for token in tokens(program.text) {
+        let written = token.span.text(program.text);
+        if written.eq_ignore_ascii_case("WSTRING") {
+            edits.replace(token.span, "STRING");
+        } else if token.kind == TokenKind::DoubleByteText {
+            edits.replace(token.span, written.replace('\'', "$'").replace('"', "'"));
+        }
+    }
+    let single = edits.apply(program.text);
+    (single != program.text).then_some(single)
 }
 
 /// Returns a program with variables in the place of the texts and truth values that are operands or arguments; `None` where it has none.

@@ -40,3 +40,4 @@ pub mod semantics;
 
 pub use api::{Limits, RequestError, check, check_bytes, errors, execute, locate, render, run, variables};
 pub use library::has_block;
+pub use semantics::place_of_input;

@@ -74,5 +74,6 @@ mod variables;
 pub use calls::is_standard_function;
 pub use check::{check, check_traced};
 pub use observation::{CheckedProgram, ObservedType, ObservedVariable};
+pub use standard_signatures::place_of_input;
 pub(crate) use standard_signatures::unary_function;
 pub use trace::{TracedUse, UseKind};

@@ -16,6 +16,9 @@ const ALL_PLACELESS: &str = "diagnostics without a place";
 /// The way of an engine that loses the places of numbers.
 pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
 
+/// The way of an engine that passes by their places what is given to standard functions by name.
+pub(crate) const BY_PLACE: &str = "named arguments of a standard function in another order than its inputs";
+
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
@@ -58,6 +61,24 @@ impl NormalSearch<'_, '_> {
             self.normal.way = Some("operation in the type of its target");
         } else if self.ask_form(ways::turned_round)? == Some(None) {
             self.normal.way = Some("comparison in the type of its first operand");
+        }
+        Ok(())
+    }
+
+    /// Asks for the named arguments of a standard function in the order of its inputs: where the program is right with these, the names do not
+    /// count.
+    pub(super) fn ordered_arguments(&mut self) -> Result<(), EngineError> {
+        if self.ask_form(ways::with_ordered_arguments)? == Some(None) {
+            self.normal.way = Some(BY_PLACE);
+        }
+        Ok(())
+    }
+
+    /// Asks for single-byte texts in the place of double-byte ones: where the program is right with these, it is the double-byte ones that are
+    /// not.
+    pub(super) fn single_bytes(&mut self) -> Result<(), EngineError> {
+        if self.ask_form(ways::with_single_bytes)? == Some(None) {
+            self.normal.way = Some("double-byte text as an operand");
         }
         Ok(())
     }

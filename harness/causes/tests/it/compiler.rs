@@ -20,7 +20,7 @@ pub struct Defects {
     pub lacks: Option<(String, String)>,
     /// A text at which it crashes, and what it says then.
     pub crashes: Option<(String, String)>,
-    /// Texts in programs of which it makes what cannot be built, and what a compiler of C says then.
+    /// Texts in programs of which it makes what cannot be built, each with what a compiler of C says then. Of one with `…` all parts are there.
     pub unusable: Vec<(String, String)>,
     /// Whether it dies over each program with a mistake when that is run.
     pub dies_of_mistakes: bool,
@@ -213,7 +213,8 @@ impl Defects {
             return Outcome::NotImplemented { reason };
         }
         let mut unusable = self.unusable.iter();
-        if let Some((_, reason)) = unusable.find(|(text, _)| request.source.contains(text)) {
+        let has_all = |text: &str| text.split('…').all(|part| request.source.contains(part));
+        if let Some((_, reason)) = unusable.find(|(text, _)| has_all(text)) {
             let reason = reason.clone();
             return Outcome::Unusable { reason };
         }

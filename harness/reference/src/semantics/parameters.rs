@@ -44,7 +44,7 @@ impl ParameterList {
     }
 
     /// Returns the index of the parameter of a name.
-    fn position(&self, name: &str) -> Option<usize> {
+    pub(super) fn position(&self, name: &str) -> Option<usize> {
         let fixed = self
             .fixed
             .iter()

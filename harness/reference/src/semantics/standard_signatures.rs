@@ -203,6 +203,13 @@ pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature
         .find(|function| function.name.eq_ignore_ascii_case(name))
 }
 
+/// Returns the place, from 0, of an input of a standard function that is no conversion, by its name in any case; `None` where there is
+/// no such function or input.
+#[must_use]
+pub fn place_of_input(function: &str, input: &str) -> Option<usize> {
+    standard_function(function)?.parameters.position(input)
+}
+
 /// Returns what the machine computes for a standard function of one operand; `None` for other functions.
 pub(crate) fn unary_function(name: &str) -> Option<StandardFunction> {
     match standard_function(name)?.operation {

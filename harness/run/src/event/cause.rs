@@ -146,13 +146,14 @@ impl Cause {
         format!("{}{}", self.verb(), self.title)
     }
 
-    /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or does not have it. Empty of another cause,
-    /// whose title is a sentence.
+    /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or gives no answer, or does not have it.
+    /// Empty of another cause, whose title is a sentence.
     #[must_use]
     pub fn verb(&self) -> &'static str {
-        let mut got = self.shown.got.iter();
+        let got = |is: fn(&Fact) -> bool| self.shown.got.iter().any(is);
         match self.is_lack() {
-            true if got.any(|fact| matches!(fact, Fact::Crashed { .. })) => "dies at ",
+            true if got(|fact| matches!(fact, Fact::Crashed { .. })) => "dies at ",
+            true if got(|fact| matches!(fact, Fact::TimedOut { .. })) => "never ends at ",
             true => "lacks ",
             false => "",
         }
