@@ -8,7 +8,7 @@ use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{ExpressionKind, Pou, PouKind};
+use stickler_syntax::tree::{ExpressionKind, Pou, PouKind, TypeSpecificationKind};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
 
@@ -246,7 +246,15 @@ pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Ve
         .iter()
         .filter(|part| program.line(part.expression.span) == line);
     let rank = |place: Place| places.iter().position(|places| places.contains(&place));
+    // A subscript of what has no elements is no second mistake.
+    let is_of_array = |part: &Part<'_, '_>| {
+        let mut bases = program.parts.iter().filter(|base| base.place == Place::Base);
+        let base = bases.find(|base| base.around == part.around);
+        let kind = base.and_then(|base| Some(&program.specification(base.id)?.kind));
+        matches!(kind, Some(TypeSpecificationKind::Array { .. }))
+    };
     let mut given: Vec<_> = here
+        .filter(|part| part.place != Place::Subscript || is_of_array(part))
         .filter_map(|part| match part.place {
             Place::OutputArgument => {
                 let taker = program.group(part.name()?)?;

@@ -297,11 +297,16 @@ fn section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
     }
 }
 
-/// Returns the kind of unit that a line of a program stands in, unless that is a PROGRAM.
+/// Returns the kind of unit or member that a line of a program stands in, unless that is a PROGRAM.
 pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'static str> {
-    let begins_before = |span: Span| program.line(span) <= number;
-    match program.unit.pous().rfind(|pou| begins_before(pou.span))?.kind {
+    let begins_before = |pou: &&Pou<'_>| program.line(pou.span) <= number;
+    let unit = program.unit.pous().filter(begins_before).last()?;
+    let is_around = |pou: &&Pou<'_>| begins_before(pou) && program.line(pou.end) >= number;
+    match unit.members.iter().rfind(is_around).unwrap_or(unit).kind {
         PouKind::Program => None,
+        PouKind::Method => Some("a METHOD"),
+        PouKind::Getter => Some("a GET"),
+        PouKind::Setter => Some("a SET"),
         PouKind::Function => Some("a FUNCTION"),
         PouKind::Interface => Some("an INTERFACE"),
         _ => Some("a FUNCTION_BLOCK"),

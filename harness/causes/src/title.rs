@@ -112,7 +112,9 @@ impl Titled<'_, '_> {
             Symptom::Crash(words) => {
                 let place = compiler_place(got).map(|place| format!(" at {place}"));
                 let reason = place.unwrap_or_else(|| format!(": {}", self.reason(words)));
-                format!("{} makes it crash{reason}", self.line_in_unit(wanted.line))
+                let wrong = wanted.code.as_deref().and_then(|code| self.wrong(code));
+                let wrong = wrong.map_or(String::new(), |wrong| format!(", where {wrong},"));
+                format!("{}{wrong} makes it crash{reason}", self.line_in_unit(wanted.line))
             }
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
             Symptom::Hang => {
