@@ -213,18 +213,18 @@ fn needs(
         Symptom::Rejected(reason)
             if says(&normal.deviation.got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() =>
         {
-            (rejected(reason, ""), line.standard_calls(), true)
+            (rejected(line, reason, ""), line.standard_calls(), true)
         }
         // What a compiler says of itself that it does not do is done there, whatever needs it.
         Symptom::Rejected(reason) if says_unsupported(reason) => {
-            (rejected(reason, ""), BTreeSet::new(), false)
+            (rejected(line, reason, ""), BTreeSet::new(), false)
         }
         // A variable that is not known is so whatever is done with it.
         Symptom::Rejected(reason)
             if says(&normal.deviation.got, Code::VariableUndefined)
                 && !line.special_sections().is_empty() =>
         {
-            (rejected(reason, ""), line.special_sections(), true)
+            (rejected(line, reason, ""), line.special_sections(), true)
         }
         Symptom::Rejected(reason) => {
             let (symptom, features) = rejection(line, reason, &sign.at);
@@ -455,13 +455,18 @@ fn says_unsupported(reason: &str) -> bool {
 fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, BTreeSet<String>) {
     match line.size_of_integers() {
         Some(size) => ("rejected literal".to_owned(), words([size])),
-        None => (rejected(reason, at), line.of_rejection()),
+        None => (rejected(line, reason, at), line.of_rejection()),
     }
 }
 
-/// Returns the symptom of a rejection, whichever elementary types its reason names.
-fn rejected(reason: &str, at: &str) -> String {
-    let part = |part| elementary(part).map_or(part, |_| "type");
+/// Returns the symptom of a rejection, whichever elementary types and names of the program its reason has.
+fn rejected(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> String {
+    let part = |part| match elementary(part) {
+        Some(_) => "type",
+        None if line.names(part) => "name",
+
+        None => part,
+    };
     let reason: Vec<&str> = reason
         .split_inclusive([' ', '_'])
         .flat_map(|word| {

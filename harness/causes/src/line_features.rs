@@ -35,6 +35,7 @@ use crate::words::{LOOPS, converted, has_word, kind, type_of_word, valued_types,
 use crate::work::{Role, Work, either_way, of_numbers, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
+use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     Argument, ExpressionKind, TypeSpecification, TypeSpecificationKind, VariableKind,
@@ -178,6 +179,13 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// literal that should not be read, its form alone says what is wrong.
     pub(crate) fn forms_of_literals(&self) -> Words {
         forms_of_literals(self.text())
+    }
+
+    /// Returns whether a word is a name of more than one letter that the program declares.
+    pub(crate) fn names(&self, word: &str) -> bool {
+        let is_word = |one: &DeclaredName<'_, '_>| one.name.is(word);
+        let mut units = self.program.unit.pous();
+        word.len() > 1 && (self.program.names.iter().any(is_word) || units.any(|unit| unit.name.is(word)))
     }
 
     /// Returns whether the line names a part of a variable.

@@ -89,6 +89,8 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         LinePlace::Types => Some("TYPE"),
         _ => section(program, number),
     };
+    // The first line of a section says itself which one it is.
+    let section = section.filter(|head| !shown.starts_with(head));
     let section = section.map_or(String::new(), |head| format!(" in {head}"));
     match types.is_empty() {
         true => format!("`{shown}`{section}"),

@@ -8,15 +8,41 @@ use stickler_run::{Reproducer, Symptom, rendered_bodies};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
 };
-use stickler_types::{DialectName, NamedValue, Observation, Outcome, RunRequest};
+use stickler_types::{DialectName, NamedValue, Observation, Outcome, RunRequest, Setting};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
 
 /// Returns the case with another program in its place, made from its own by changes that keep the deviation `sign`. `None`
 /// where the program must do something else than the case's own, so that the document of the case says nothing of it.
+///
+/// Of the variables that the case writes before scans those are written that the program has. Where there is none, and it is no value that
+/// deviates, one scan shows it.
 pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Case> {
     let observe = known(case, program);
+    let names = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    let has = |setting: &&Setting| {
+        let set = setting.name.split(['.', '[']).next().unwrap_or_default();
+        names.iter().any(|name| name.eq_ignore_ascii_case(set))
+    };
+    let set: Arc<[Setting]> = case.set.iter().filter(has).cloned().collect();
+    let computes = matches!(
+        sign.symptom,
+        Symptom::Value
+            | Symptom::Missing
+            | Symptom::OtherType
+            | Symptom::FaultLine(_)
+            | Symptom::NotFaulted(_)
+    );
+    let case = &match set.is_empty() && !case.set.is_empty() && !computes {
+        true => Case {
+            scans: 1,
+            clock: Arc::default(),
+            set,
+            ..case.clone()
+        },
+        false => Case { set, ..case.clone() },
+    };
     let request = RunRequest {
         source: program,
         observe: &observe,

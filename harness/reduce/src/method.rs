@@ -16,6 +16,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("drop comments", chunks::drop_comments),
     text_pass!("drop statements", statements::drop_statements),
     text_pass!("drop empty statements", statements::drop_empty_statements),
+    text_pass!("remove statements", statements::remove_statements),
     text_pass!("drop program organization units", declarations::drop_units),
     text_pass!("drop what is not used", declarations::drop_unused),
     text_pass!(

@@ -23,7 +23,7 @@ use stickler_run::{Cause, Fact};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue, Placement, Suite, Wanted,
 };
-use stickler_types::{DialectName, Observation, Value};
+use stickler_types::{DialectName, Observation, Setting, Value};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -56,6 +56,8 @@ struct FailingCase {
     must: String,
     basis: Option<String>,
     place: Option<[String; 3]>,
+    /// A variable that is written before the first scan, and its value.
+    sets: Option<(String, String)>,
 }
 
 impl FailingCase {
@@ -98,6 +100,8 @@ impl FailingCase {
             area: "area".into(),
             expectation: Arc::new(expectation),
             observe: observe.into(),
+            scans: if self.sets.is_some() { 2 } else { 1 },
+            set: self.sets.iter().map(setting).collect(),
             placement: place.map(|[source, target, surrounding]| {
                 Arc::new(Placement {
                     source: source.as_str().into(),
@@ -107,6 +111,14 @@ impl FailingCase {
             }),
             ..Case::of_program(&id, DialectName::IRONPLC_ED3, &program)
         }
+    }
+}
+
+fn setting((name, value): &(String, String)) -> Setting {
+    Setting {
+        before: 1,
+        name: name.as_str().into(),
+        value: Value::parse(value).expect("a literal"),
     }
 }
 

@@ -13,6 +13,15 @@ pub(crate) fn drop_statements(view: &TextView<'_>) -> Vec<Edits> {
         .collect()
 }
 
+/// Drops one of several statements without leaving a semicolon, which a compiler may not take where it takes a statement.
+pub(crate) fn remove_statements(view: &TextView<'_>) -> Vec<Edits> {
+    let lists = view.lists().into_iter().filter(|list| list.len() > 1);
+    let removed = lists
+        .flatten()
+        .map(|statement| Edits::removing(view.range_of_statement(statement)));
+    view.only_allowed(removed.collect())
+}
+
 /// Drops the semicolons of former statements; the last one of a list stays, because the standard demands a statement there,
 /// and a compiler may do so too.
 pub(crate) fn drop_empty_statements(view: &TextView<'_>) -> Vec<Edits> {
