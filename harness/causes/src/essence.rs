@@ -140,6 +140,11 @@ impl Essence {
         all.cloned().collect::<Vec<_>>().join(", ")
     }
 
+    /// Returns whether values of quite other types are accepted in one place.
+    pub(crate) fn is_unchecked(&self) -> bool {
+        self.constructs.contains(UNCHECKED)
+    }
+
     /// Returns whether a cause with this essence explains one with the essence `other`.
     pub(crate) fn explains(&self, other: &Essence) -> bool {
         // Where nothing is checked is more than where one mistake is not seen.
@@ -288,12 +293,14 @@ fn needs(
                 None if is_unusable && line.uses_external() => {
                     let mut features = line.of_use();
                     features.insert("VAR_EXTERNAL".to_owned());
-                    return ("unusable".to_owned(), features, false);
+                    return ("unusable".to_owned(), features, true);
                 }
                 // What it says of one function it says of every other. What it proposes does not matter.
                 None if is_unusable => {
                     let words = words.split(';').next().unwrap_or_default();
-                    return (format!("unusable {words}"), line.of_use(), false);
+                    let features = line.of_use();
+                    let names_construct = !features.is_empty();
+                    return (format!("unusable {words}"), features, names_construct);
                 }
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
@@ -464,7 +471,6 @@ fn rejected(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> String {
     let part = |part| match elementary(part) {
         Some(_) => "type",
         None if line.names(part) => "name",
-
         None => part,
     };
     let reason: Vec<&str> = reason

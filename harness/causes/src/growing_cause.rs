@@ -145,7 +145,10 @@ impl GrowingCause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
             construct: essence.construct(),
-            title: match essence.pattern {
+            title: match essence
+                .pattern
+                .or(essence.is_unchecked().then_some("types are not checked"))
+            {
                 Some(pattern) => format!("{pattern}: {}", title(shown, engine.grade == Grade::Code)),
                 None => title(shown, engine.grade == Grade::Code),
             },
