@@ -203,10 +203,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                     self.note("real-without-point", token.span);
                 }
                 TokenKind::Partial => self.note(partial_access(written), token.span),
-                _ if token.kind.is_literal() && is_number_with_underscore(written) => {
-                    self.note("literal-underscore", token.span);
-                }
                 _ => {}
+            }
+            if token.kind.is_literal() && is_number_with_underscore(written) {
+                self.note("literal-underscore", token.span);
             }
         }
     }

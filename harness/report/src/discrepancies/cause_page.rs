@@ -257,6 +257,11 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     let Reproducer {
         basis, case, program, ..
     } = &cause.shown;
+    let dies = cause
+        .shown
+        .got
+        .iter()
+        .any(|fact| matches!(fact, Fact::Crashed { .. }));
     let own = |source: &&Source| source.engines.contains(&cause.engine);
     let sources = overview.sources().iter().filter(own);
     let told = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
@@ -281,6 +286,8 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
                 format!("The claim ended with version {until}."),
             ),
             (None, true) if cause.differs() => ("on the same", String::new()),
+            // No claim allows a compiler to die.
+            (None, _) if dies => ("on the same", String::new()),
             (None, true) => ("on the same", "The claim binds it all the same.".to_owned()),
             (None, false) => (
                 "itself says otherwise",
