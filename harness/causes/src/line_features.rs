@@ -35,7 +35,6 @@ use crate::words::{LOOPS, converted, has_word, kind, type_of_word, valued_types,
 use crate::work::{Role, Work, either_way, of_numbers, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
-use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
     Argument, ExpressionKind, TypeSpecification, TypeSpecificationKind, VariableKind,
@@ -181,11 +180,14 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         forms_of_literals(self.text())
     }
 
-    /// Returns whether a word is a name of more than one letter that the program declares.
+    /// Returns whether a word of a message is a name that the program declares, but for its digits; a small letter alone may be an article.
     pub(crate) fn names(&self, word: &str) -> bool {
-        let is_word = |one: &DeclaredName<'_, '_>| one.name.is(word);
-        let mut units = self.program.unit.pous();
-        word.len() > 1 && (self.program.names.iter().any(is_word) || units.any(|unit| unit.name.is(word)))
+        let plain = |name: &str| name.replace(|sign: char| sign.is_ascii_digit(), "");
+        let is_word = |name: &str| plain(name).eq_ignore_ascii_case(word);
+        let mut names = self.program.names.iter().map(|one| one.name.text);
+        let mut units = self.program.unit.pous().map(|unit| unit.name.text);
+        let is_article = word.len() < 2 && !word.starts_with(|sign: char| sign.is_ascii_uppercase());
+        !is_article && (names.any(is_word) || units.any(is_word))
     }
 
     /// Returns whether the line names a part of a variable.

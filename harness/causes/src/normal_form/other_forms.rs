@@ -65,10 +65,16 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
-    /// Asks for the named arguments of a standard function in the order of its inputs: where the program is right with these, the names do not
-    /// count.
+    /// Asks for the named arguments of a standard function in the order of its inputs, as they are and as variables: where the program is
+    /// right with these, the names do not count.
     pub(super) fn ordered_arguments(&mut self) -> Result<(), EngineError> {
-        if self.ask_form(ways::with_ordered_arguments)? == Some(None) {
+        let as_variables = |program: &ReadProgram<'_, '_>| {
+            let ordered = ways::with_ordered_arguments(program)?;
+            read(&ordered, ways::with_variables_for_literals)
+        };
+        if self.ask_form(ways::with_ordered_arguments)? == Some(None)
+            || self.ask_form(as_variables)? == Some(None)
+        {
             self.normal.way = Some(BY_PLACE);
         }
         Ok(())

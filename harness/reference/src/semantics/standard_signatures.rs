@@ -203,11 +203,14 @@ pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature
         .find(|function| function.name.eq_ignore_ascii_case(name))
 }
 
-/// Returns the place, from 0, of an input of a standard function that is no conversion, by its name in any case; `None` where there is
-/// no such function or input.
+/// Returns a number that grows with the place of an input of a standard function, by its name in any case. Of a function that is written in
+/// Structured Text it is the number in the name, such as that of `IN1`. `None` where there is no such input.
 #[must_use]
 pub fn place_of_input(function: &str, input: &str) -> Option<usize> {
-    standard_function(function)?.parameters.position(input)
+    match standard_function(function) {
+        Some(known) => known.parameters.position(input),
+        None => input.to_ascii_uppercase().strip_prefix("IN")?.parse().ok(),
+    }
 }
 
 /// Returns what the machine computes for a standard function of one operand; `None` for other functions.
