@@ -159,6 +159,10 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
     if code.starts_with("END_") && opens(before) {
         return format!("{before} {code}");
     }
+    // A CASE says little without its first label.
+    if code.ends_with(" OF") && next.ends_with(':') {
+        return format!("{code} {next}");
+    }
     let opens = opens(code);
     match next.split(';').next() {
         Some(end) if opens && end.starts_with("END_") => format!("{code} {end}"),
