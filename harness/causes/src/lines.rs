@@ -306,7 +306,7 @@ fn section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
 /// Returns the kind of unit or member that a line of a program stands in, unless that is a PROGRAM.
 pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'static str> {
     let begins_before = |pou: &&Pou<'_>| program.line(pou.span) <= number;
-    let unit = program.unit.pous().filter(begins_before).last()?;
+    let unit = program.unit.pous().rfind(begins_before)?;
     let is_around = |pou: &&Pou<'_>| begins_before(pou) && program.line(pou.end) >= number;
     match unit.members.iter().rfind(is_around).unwrap_or(unit).kind {
         PouKind::Program => None,

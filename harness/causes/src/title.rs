@@ -188,11 +188,13 @@ impl Titled<'_, '_> {
         is_computed && !target.eq_ignore_ascii_case(name)
     }
 
-    /// Returns what is wrong by the words of the reference, or else by those of the code.
+    /// Returns what is wrong by the words of the reference, or else by those of the code. How large an array may be is the reference's own
+    /// limit.
     fn wrong(&self, code: &str) -> Option<String> {
+        let is_limit = code == Code::ArraySizeOverflow.as_str();
         let errors = errors(self.program.text, DialectName::IEC_ED3).into_iter();
         let mut of_code = errors.filter(|error| error.code.as_deref() == Some(code));
-        let said = of_code.next().map(|error| error.message);
+        let said = of_code.next().filter(|_| !is_limit).map(|error| error.message);
         said.or_else(|| summary(code).map(str::to_owned))
     }
 
