@@ -5,7 +5,7 @@ use crate::markdown::{fence, inline};
 use crate::text::visible;
 use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade};
-use stickler_types::counted;
+use stickler_types::{Diagnostic, counted};
 
 /// The words about what no program may make of a compiler.
 const NO_CRASH: &str = "an answer, no crash";
@@ -72,6 +72,15 @@ impl Told<'_> {
                     Some(line) => fact.to_string().replace(reason, &line),
                     None => fact.to_string(),
                 };
+            }
+            // A rejection without a word has no code of the compiler's own.
+            Fact::Diagnostic(silent) if self.strict != Grade::Code => {
+                let code = None;
+                let silent = Diagnostic {
+                    code,
+                    ..silent.clone()
+                };
+                return Fact::Diagnostic(silent).to_string();
             }
             _ => return fact.to_string(),
         };

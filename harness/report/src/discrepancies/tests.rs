@@ -126,4 +126,13 @@ fn what_is_told_of_a_compiler_that_dies_is_what_the_commands_of_the_page_print()
         told("Error: not yet\n    at translate\n", Fact::Crashed { reason }),
         "crashed: Error: not yet"
     );
+    let silent = stickler_types::Diagnostic {
+        code: Some("P0002".to_owned()),
+        line: Some(5),
+        ..stickler_types::Diagnostic::default()
+    };
+    assert_eq!(
+        told("an error", Fact::Diagnostic(silent)),
+        "line 5: error of any code"
+    );
 }
