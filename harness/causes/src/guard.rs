@@ -28,6 +28,8 @@ pub(crate) struct Constructs {
     elementary: BTreeSet<String>,
     /// Whether there is a section of variables, which some compilers demand.
     has_variables: bool,
+    /// Whether there is a PROGRAM, without which some compilers take no text.
+    has_program: bool,
     /// Whether a section of variables is empty, which some compilers reject.
     has_empty_section: bool,
     /// Whether a body has no statement, which some compilers reject.
@@ -64,6 +66,7 @@ impl Constructs {
             limited,
             elementary: elementary_names(&program),
             has_variables: all.iter().any(|token| token.kind == TokenKind::EndVar),
+            has_program: all.iter().any(|token| token.kind == TokenKind::Program),
             has_empty_section: has_pair(&all, |one, next| one.opens_section() && next == TokenKind::EndVar),
             has_empty_body: has_pair(&all, |one, next| one == TokenKind::EndVar && next.closes_pou()),
             has_empty_statement,
@@ -74,6 +77,7 @@ impl Constructs {
     /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes this as the least.
     pub(crate) fn may_become(&self, smaller: &Constructs, takes: Takes) -> bool {
         (takes.no_variables || smaller.has_variables)
+            && (takes.no_program || !self.has_program || smaller.has_program)
             && !smaller.has_empty_section
             && (takes.empty_bodies || !smaller.has_empty_body)
             && (takes.empty_statements || self.has_empty_statement || !smaller.has_empty_statement)

@@ -140,7 +140,12 @@ pub(crate) struct Takes {
     pub(crate) no_variables: bool,
     /// Whether it takes a semicolon alone as a statement.
     pub(crate) empty_statements: bool,
+    /// Whether it takes a text without a PROGRAM.
+    pub(crate) no_program: bool,
 }
+
+/// A text without a PROGRAM.
+const NO_PROGRAM: &str = "TYPE\n    OWN : INT;\nEND_TYPE\n";
 
 /// A program with a semicolon alone as a statement.
 const EMPTY_STATEMENT: &str =
@@ -258,6 +263,7 @@ impl Questioner<'_> {
             empty_bodies: takes(EMPTY_BODIES)?,
             no_variables: takes(NO_VARIABLES)?,
             empty_statements: takes(EMPTY_STATEMENT)?,
+            no_program: takes(NO_PROGRAM)?,
         })
     }
 

@@ -249,6 +249,7 @@ fn a_reduction_makes_only_those_programs_of_others_that_the_table_says() {
                 empty_bodies: true,
                 no_variables: true,
                 empty_statements: true,
+                no_program: true,
             },
             false => Takes::default(),
         };
