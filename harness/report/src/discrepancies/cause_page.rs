@@ -364,7 +364,12 @@ fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Reprodu
     }
     block(text, "and run", "sh", &reproduction.commands_with_tools());
     if !shown.printed.is_empty() {
-        block(text, "That prints:", "", &visible(&first_lines(&shown.printed)));
+        block(
+            text,
+            "That prints, but for colours and the folders of files:",
+            "",
+            &visible(&first_lines(&shown.printed)),
+        );
     }
 }
 
