@@ -65,16 +65,20 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
-    /// Asks for the named arguments of a standard function in the order of its inputs, as they are and as variables: where the program is
-    /// right with these, the names do not count.
+    /// Asks for the named arguments of a standard function in the order of its inputs, and where no value is wrong, which they would not give,
+    /// also for variables in their place: where the program is right with these, the names do not count.
     pub(super) fn ordered_arguments(&mut self) -> Result<(), EngineError> {
         let as_variables = |program: &ReadProgram<'_, '_>| {
             let ordered = ways::with_ordered_arguments(program)?;
             read(&ordered, ways::with_variables_for_literals)
         };
-        if self.ask_form(ways::with_ordered_arguments)? == Some(None)
-            || self.ask_form(as_variables)? == Some(None)
-        {
+        let is_value = self.normal.deviation.sign.symptom == Symptom::Value;
+        let is_right = self.ask_form(ways::with_ordered_arguments)? == Some(None)
+            || !is_value
+                && self.ask_form(as_variables)? == Some(None)
+                // Where variables alone cure it, it is the literals.
+                && self.ask_form(ways::with_variables_for_literals)? != Some(None);
+        if is_right {
             self.normal.way = Some(BY_PLACE);
         }
         Ok(())
