@@ -357,14 +357,12 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
     // Whether a variable or a part that does not exist is read or assigned does not matter.
     if code == Code::VariableUndefined.as_str() {
         features.retain(|feature| feature != LITERAL && !LINE_PLACES.contains(&feature.as_str()));
-        features.insert(
-            if line.has_part() {
-                "part of a variable"
-            } else {
-                "variable"
-            }
-            .to_owned(),
-        );
+        let what = if line.has_part() {
+            "part of a variable"
+        } else {
+            "variable"
+        };
+        features.insert(what.to_owned());
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {

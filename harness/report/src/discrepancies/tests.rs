@@ -121,7 +121,7 @@ fn what_is_told_of_a_compiler_that_dies_is_what_the_commands_of_the_page_print()
         "accepted, but the C++ cannot be built: program.hpp:58:5: error: no type HOST"
     );
     assert_eq!(told("", unusable()), unusable().to_string());
-    let reason = "Error: not yet at translate (/tmp/x/dist/codegen.js:43)".to_owned();
+    let reason = "Error: not yet at translate (/opt/st/codegen.js:43)".to_owned();
     assert_eq!(
         told("Error: not yet\n    at translate\n", Fact::Crashed { reason }),
         "crashed: Error: not yet"
