@@ -109,7 +109,7 @@ impl Told<'_> {
         const SIGN: &str = "rror: ";
         let tells = |line: &&str| {
             line.split_once(SIGN)
-                .is_some_and(|(_, message)| reason.contains(message))
+                .is_some_and(|(_, message)| !message.is_empty() && reason.contains(message))
         };
         let line = self.printed.lines().find(tells)?;
         let what = reason.split_once(": ").map_or("", |(what, _)| what);

@@ -123,7 +123,10 @@ fn what_is_told_of_a_compiler_that_dies_is_what_the_commands_of_the_page_print()
     assert_eq!(told("", unusable()), unusable().to_string());
     let reason = "Error: not yet at translate (/opt/st/codegen.js:43)".to_owned();
     assert_eq!(
-        told("Error: not yet\n    at translate\n", Fact::Crashed { reason }),
+        told(
+            "error: \nError: not yet\n    at translate\n",
+            Fact::Crashed { reason }
+        ),
         "crashed: Error: not yet"
     );
     let silent = stickler_types::Diagnostic {
