@@ -97,6 +97,26 @@ fn one_variable_takes_the_place_of_others_and_of_calls() {
 }
 
 #[test]
+fn one_of_several_statements_on_a_line_goes_where_no_semicolon_alone_is_taken() {
+    let start = "TYPE\n    POINT : STRUCT\n        y : INT;\n    END_STRUCT;\nEND_TYPE\n\nPROGRAM main\nVAR\n    got : INT;\nEND_VAR\n\
+                 VAR_TEMP\n    it : POINT;\nEND_VAR\n    it.y := 0; got := 0;\nEND_PROGRAM\n";
+    let takes = |text: &str| {
+        let has_all = ["it : POINT", "VAR_TEMP", "got := 0"]
+            .iter()
+            .all(|part| text.contains(part));
+        let is_empty = |line: &str| line.trim_start().starts_with(';') || line.contains("; ;");
+        Interestingness::from(has_all && !text.lines().any(is_empty))
+    };
+    let found = text(
+        start,
+        DialectName::IRONPLC_ED3,
+        takes,
+        &ReductionBudget::default(),
+    );
+    assert!(!found.value.contains("it.y"), "{}", found.value);
+}
+
+#[test]
 fn a_rejected_text_gets_no_new_faults() {
     let start = MACHINE.replace("total : DINT;", "total : INT;");
     let codes = |text: &str| {
