@@ -32,7 +32,8 @@ const GROUP_TIME: Duration = Duration::from_secs(20);
 /// The maximum number of programs that an engine is asked about together: of many, some are asked about for nothing.
 const MAX_PACK_LEN: usize = 12;
 
-/// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
+/// The share of the time of a search that is left for what belongs to a page: the neighbours of a program, and the commands that show it. It
+/// is one part of so many, the first half of it for the neighbours.
 const REPRODUCTION_SHARE: u32 = 5;
 
 /// The limits of a search.
@@ -42,8 +43,8 @@ pub struct SearchLimits {
     pub questions: u64,
     /// The maximum number of questions for one group of cases.
     pub questions_a_group: u64,
-    /// The time after which no more questions are asked, and at which the last ones are cut off; its last fifth is for running the
-    /// commands of what was found. What is found then depends on the speed of the machine.
+    /// The time after which no more questions are asked, and at which the last ones are cut off; its last fifth is for the
+    /// neighbours and the commands of what was found. What is found then depends on the speed of the machine.
     pub time: Duration,
 }
 
@@ -157,11 +158,12 @@ fn find_before_end(
                 member.cite_place(case, (identity, search.suite));
             }
         }
-        end_questions_at(
-            begun
-                .checked_add(search.limits.time)
-                .map(|end| (end, Duration::MAX)),
-        );
+        let end = begun.checked_add(search.limits.time);
+        let half = begun.checked_add(search.limits.time - search.limits.time / (2 * REPRODUCTION_SHARE));
+        let stop = || search.cancel.is_requested() || half.is_some_and(|end| Instant::now() >= end);
+        end_questions_at(half.map(|end| (end, QUESTION_TIME)));
+        asking.neighbours(&mut causes, &stop)?;
+        end_questions_at(end.map(|end| (end, Duration::MAX)));
         asking.reproduce(&mut causes)?;
         found.extend(causes);
     }

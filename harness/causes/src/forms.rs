@@ -316,7 +316,7 @@ pub(crate) fn named_types(text: &str) -> BTreeSet<&'static str> {
 }
 
 /// Returns a text with types replaced in declarations, prefixes and names of functions.
-fn with_types(text: &str, changes: &[(&str, &str)]) -> String {
+pub(crate) fn with_types(text: &str, changes: &[(&str, &str)]) -> String {
     let changed = |word: &str| {
         let change = changes.iter().find(|(from, _)| word.eq_ignore_ascii_case(from));
         change.map_or(word, |(_, into)| *into).to_owned()

@@ -13,7 +13,7 @@ use crate::reduction::{LONG, Smallest};
 use crate::subjects::Subjects;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
-use crate::words::{tokens, types_of, valued_types};
+use crate::words::{tokens, valued_types};
 use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -139,8 +139,6 @@ impl GrowingCause {
         let lacks = if is_of_page { &engine.lacks } else { Code::ALL };
         shown.deviation.forget_codes(lacks);
         let shown = &shown;
-        let mut types = types_of(&shown.program);
-        types.sort_unstable();
         let cause = Cause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
@@ -163,11 +161,11 @@ impl GrowingCause {
                 expected: shown.deviation.expected.clone(),
                 got: shown.deviation.got.clone(),
                 is_derived,
+                neighbours: Vec::new(),
                 reproduction: None,
                 printed: String::new(),
             },
             lacked_in: BTreeMap::new(),
-            types: vec![types.join(", ")],
             // No page has room for a long program.
             reduction: match smallest.reduction {
                 Reduced::Not if shown.program.len() > LONG => Reduced::Partly,

@@ -7,6 +7,7 @@
 //! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `beginning_block`, `forms`, `plainness` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `line_features`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; where only a plainer program shows the cause, the document that promises its construct is cited | `claim`, `promised` |
+//! | the engine is asked how far the cause goes: with other types, and in other units | `neighbours` |
 //! | the files and commands of a cause, and what they print, are those of its program | `reproduce` |
 //! | the title is what the engine does, and the line at fault with what is wrong with it | `title`, `lines`, `suspect`, `value_lines` |
 //!
@@ -48,6 +49,7 @@ mod line_features;
 mod lines;
 mod loop_limits;
 mod malformed;
+mod neighbours;
 mod normal_form;
 mod passes;
 mod patterns;

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_types::dialect::PartialAccess;
-use stickler_types::{Dialect, DialectName, ElementaryType, Family, distinct};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family};
 
 /// Rules by which a program of any dialect is read. Comments do not nest, so that the ends of those that stand in others are left, by
 /// which they are seen.
@@ -69,16 +69,6 @@ pub(crate) fn words_in_use(text: &str) -> Vec<&str> {
         .filter(|one| is_in_use(*one))
         .map(|(_, word)| *word)
         .collect()
-}
-
-/// Returns the names of the elementary types among words, each once, in their order.
-pub(crate) fn types_among<'w>(words: impl IntoIterator<Item = &'w str>) -> Vec<&'static str> {
-    distinct(words.into_iter().filter_map(elementary).map(ElementaryType::name))
-}
-
-/// Returns the names of the elementary types that a program names, each once, in the order of the text.
-pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
-    types_among(words(text))
 }
 
 /// Returns the types that a program names and between which values are converted. What a TASK has is no value of the program.

@@ -5,7 +5,7 @@ mod cause;
 mod header;
 mod verdict;
 
-pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
+pub use cause::{Cause, ExplainedCases, Neighbour, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use header::{BaselineHeader, DefinedHeader, EngineHeader, Header, OutdatedEntry, PROGRAM};
 pub(crate) use header::{RERUN_DIALECT, RERUN_ID, rerun};
 pub use verdict::{Totals, Verdict};

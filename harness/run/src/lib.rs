@@ -33,7 +33,7 @@ pub use case_judge::CaseJudge;
 pub use clip::{clip_facts, clip_line};
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
-pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
+pub use event::{Cause, ExplainedCases, Neighbour, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use event::{Totals, Verdict};
 pub use fact::Fact;
 pub use filter::{Filter, pattern_fits, select};

@@ -196,7 +196,9 @@ pub(crate) fn page(
         let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
         let _ = write!(text, "{}\n\n", lines.trim_end());
     }
-    types(&mut text, cause);
+    if let Some(told) = shown.neighbours_told() {
+        let _ = write!(text, "{told}\n\n");
+    }
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
@@ -420,19 +422,6 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
         inline(title),
         inline(kind.as_str())
     )
-}
-
-/// Adds the types that were seen.
-fn types(text: &mut String, cause: &Cause) {
-    let types: Vec<&str> = cause
-        .types
-        .iter()
-        .map(String::as_str)
-        .filter(|types| !types.is_empty())
-        .collect();
-    if types.len() > 1 {
-        let _ = write!(text, "Seen with the types {}.\n\n", types.join(" · "));
-    }
 }
 
 /// Adds the number of cases, the claims that they belong to, and their probes and dialects.

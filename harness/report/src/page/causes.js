@@ -70,7 +70,7 @@ function causeBox(cause, name, open) {
       witnessView(cause.engine, cause.shown),
       cause.flaky ? el("p.notice", {}, `By chance: this came in ${cause.flaky[0]} of ${cause.flaky[1]} runs of the same program.`) : null,
       cause.reduction === "partly" ? el("p.dim", {}, "The program is not as small as it can be: the search for causes ended before.") : null,
-      cause.types.length > 0 ? el("p", {}, "Seen with: ", cause.types.join("; ")) : null,
+      cause.shown.neighbours ? el("p", {}, quoted(cause.shown.neighbours)) : null,
       explained(cause),
     ];
   }, open);

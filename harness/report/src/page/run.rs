@@ -81,14 +81,13 @@ fn cause_data(cause: &Cause, overview: &Overview) -> Value {
     let engine = overview.engine(&cause.engine);
     json!({
         "engine": cause.engine,
-        "title": cause.title,
+        "title": cause.headline(),
         // Whether no case of it contradicts a source that binds the engine.
         "differs": cause.differs(),
         "number": cause.number(),
         // The number of its cases that are not as expected, before that of all where they are not all.
         "cases_shown": cause.cases_shown(),
         "cases": cause.cases,
-        "types": cause.types,
         "reduction": cause.reduction,
         // The number of runs that showed it and of all runs, where the engine does not do the same each time.
         "flaky": cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
@@ -111,6 +110,7 @@ fn reproducer(reproducer: &Reproducer) -> Value {
         "basis": reproducer.basis,
         "about": reproducer.about,
         "is_derived": reproducer.is_derived,
+        "neighbours": reproducer.neighbours_told(),
         "program": visible(&reproducer.program),
         "expected": facts(&reproducer.expected),
         "got": facts(&reproducer.got),

@@ -4,10 +4,7 @@ use crate::{Fact, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use stickler_engines::Reproduction;
-use stickler_types::grouped;
-
-/// The maximum number of entries in the types of a cause.
-const MAX_TYPES: usize = 24;
+use stickler_types::{grouped, joined};
 
 /// A cause of failing cases on one engine: what one mend in the compiler would put right.
 ///
@@ -26,9 +23,6 @@ pub struct Cause {
     pub title: String,
     /// The program that shows the cause best.
     pub shown: Reproducer,
-    /// The elementary types in programs that show the cause, each entry those of one program; not of every case.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub types: Vec<String>,
     /// The extent to which the shown program was reduced.
     pub reduction: Reduced,
     /// The outcomes of several runs of the shown program; `None` where they were all the same.
@@ -69,12 +63,67 @@ pub struct Reproducer {
     /// Whether the program does other things than the case, so that the claim led to it but says nothing of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_derived: bool,
+    /// What the engine does with programs that differ from this one in one respect.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub neighbours: Vec<Neighbour>,
     /// The files and commands by which a person sees it without Stickler; `None` where the engine has no tools of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reproduction: Option<Reproduction>,
     /// The text that the commands of the reproduction print, without paths of the machine; empty where nobody ran them.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub printed: String,
+}
+
+impl Reproducer {
+    /// Returns which neighbours deviate in the same way, and which do not, in sentences of a page; nothing where the engine was asked about none.
+    #[must_use]
+    pub fn neighbours_told(&self) -> Option<String> {
+        let same = self
+            .neighbours_in_words(true)
+            .map(|words| format!("The same comes {words}."));
+        let other = self
+            .neighbours_in_words(false)
+            .map(|words| format!("It does not come {words}."));
+        let told: Vec<String> = same.into_iter().chain(other).collect();
+        (!told.is_empty()).then(|| told.join(" "))
+    }
+
+    /// Returns the words by which a title says that no neighbour deviates; empty where some do, or the engine was asked about none.
+    #[must_use]
+    pub fn limits(&self) -> String {
+        let other = self.neighbours_in_words(false);
+        let other = other.filter(|_| self.neighbours.iter().all(|one| !one.is_same));
+        other.map_or(String::new(), |words| format!(", but not {words}"))
+    }
+
+    fn neighbours_in_words(&self, is_same: bool) -> Option<String> {
+        let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
+        for one in self.neighbours.iter().filter(|one| one.is_same == is_same) {
+            match groups.last_mut() {
+                Some((replaced, by)) if **replaced == one.replaced => by.push(&one.by),
+                _ => groups.push((&one.replaced, vec![&one.by])),
+            }
+        }
+        let words = groups.into_iter().map(|(replaced, by)| match replaced {
+            "" => format!("in {}", joined(&by, "or")),
+            _ => format!("with {} in the place of {replaced}", joined(&by, "or")),
+        });
+        let words: Vec<String> = words.collect();
+        (!words.is_empty()).then(|| joined(&words, "or"))
+    }
+}
+
+/// A program that differs from a shown one in one respect, about which the engine was asked too.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Neighbour {
+    /// The elementary type in whose place another stands; empty where the statements stand in another unit.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub replaced: String,
+    /// The other type or unit, as a page writes it: `` `DINT` ``, `a FUNCTION_BLOCK`.
+    pub by: String,
+    /// Whether the engine deviates in the same way; otherwise it does what it must.
+    pub is_same: bool,
 }
 
 /// The extent to which a program was reduced.
@@ -143,7 +192,7 @@ impl Cause {
     /// Returns the cause as a heading behind the name of the engine.
     #[must_use]
     pub fn headline(&self) -> String {
-        format!("{}{}", self.verb(), self.title)
+        format!("{}{}{}", self.verb(), self.title, self.shown.limits())
     }
 
     /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or gives no answer, or does not have it.
@@ -224,11 +273,6 @@ impl Cause {
     pub fn explain(&mut self, mut other: Cause) {
         for some in std::mem::take(&mut other.cases) {
             ExplainedCases::add(&mut self.cases, some);
-        }
-        for types in std::mem::take(&mut other.types) {
-            if self.types.len() < MAX_TYPES && !self.types.contains(&types) {
-                self.types.push(types);
-            }
         }
     }
 }
