@@ -50,10 +50,14 @@ impl<'r> StrucppSubject<'r> {
 /// Returns the driver of translated programs: of the only one in `program.cpp`, or of several in `program_0.cpp` and so on,
 /// each in a namespace of its own.
 pub(super) fn driver<'r>(subjects: &[&StrucppSubject<'r>]) -> Driver<'r> {
-    let includes = "#include <cstdio>\n#include <ctime>\n\n";
+    let observes = subjects.iter().any(|subject| !subject.request.observe.is_empty());
+    let printing = match observes {
+        true => format!("#include <cstdio>\n#include <ctime>\n\n{VALUE_OF}"),
+        false => "\n".to_owned(),
+    };
     let (head, is_alone) = match subjects {
-        [_] => (format!("#include \"program.cpp\"\n{includes}{VALUE_OF}"), true),
-        _ => (format!("{includes}{VALUE_OF}"), false),
+        [_] => (format!("#include \"program.cpp\"\n{printing}"), true),
+        _ => (printing, false),
     };
     let programs = subjects.iter().enumerate();
     let programs = programs.map(|(number, subject)| driven(subject, number, is_alone));
