@@ -24,7 +24,8 @@ function plotOf(one, rows, value) {
   const behaviours = behavioursOf(one);
   if (behaviours.length === 0) return null;
   behaviours.forEach((behaviour, index) => {
-    behaviour.words = behaviourWords(one, behaviour);
+    behaviour.parts = behaviourParts(one, behaviour);
+    behaviour.words = behaviour.parts.map(({ text }) => text).join("; ");
     const alike = behaviours.slice(0, index).find(({ words }) => words === behaviour.words);
     behaviour.difference = alike === undefined ? "" : firstDifference(behaviour, alike);
   });
@@ -33,7 +34,7 @@ function plotOf(one, rows, value) {
   return el("section.plots", { "aria-label": `Plots of ${one.name}` },
     el("p.dim", {}, `${counted(behaviours.length, "behaviour", "behaviours")}; systems that do the same share a panel. `,
       plotKey("stated", "stated by a source for every system of the panel"), plotKey("partly", "for some of them"), plotKey("chosen", "for none: chosen for Stickler's model (as hollow dots are)"),
-      plotKey("dot", "a single value that a source states"), plotKey("cross", "what a source or compiler gives that is not on the curve: point at it"), plotKey("cursor", "the value that is read below"),
+      plotKey("dot", "a single value that a source states"), plotKey("cross", "what a source or compiler gives that is not on the curve: point at it"), plotKey("cursor", "the value that is read below the plots, system by system"),
       "A green band is what the result's type holds, a blue one where results wrap again and again. Arrow keys move along a view that has the focus."),
     shown, others.length === 0 ? null : opening(`${counted(others.length, "more behaviour", "more behaviours")}: ${others.map(({ dialects }) => systemNames(dialects).join(" · ")).join("; ")}`,
       () => others.map((behaviour) => panel(one, rows, behaviour, value)), value !== ""));
@@ -42,7 +43,7 @@ function plotOf(one, rows, value) {
 /** Returns an entry of the legend. */
 function plotKey(kind, text) {
   const drawn = (status) => () => svg("line", { class: status, x1: 1, x2: 29, y1: 7, y2: 7 });
-  const marks = { stated: drawn("stated"), partly: drawn("partly"), chosen: drawn("chosen"), cursor: () => svg("circle", { fill: "none", stroke: "currentColor", cx: 15, cy: 7, r: 5 }),
+  const marks = { stated: drawn("stated"), partly: drawn("partly"), chosen: drawn("chosen"), cursor: () => svg("circle", { class: "cursor", cx: 15, cy: 7, r: 5 }),
     dot: () => svg("circle", { class: "stated", cx: 15, cy: 7, r: 3.4 }), cross: () => cross(15, 7) };
   return [el("span.key", {}, svg("svg", { viewBox: "0 0 30 14", "aria-hidden": "true" }, marks[kind]()), ` ${text}`), " "];
 }
@@ -61,19 +62,28 @@ const ROUNDINGS = {
   "0 1 2 -1 -2": "to the next integer below",
 };
 
-/** Returns in words what a behaviour does, as far as a few of its results show it. */
-function behaviourWords(one, behaviour) {
-  const points = behaviour.views.flatMap((view) => view.points);
-  const at = (x) => points.find((point) => Object.is(point.x, x));
-  const words = [ROUNDINGS[[0.5, 1.5, 2.5, -0.5, -1.5].map((x) => String(at(x)?.y ?? "").replace(/^-0$/, "0")).join(" ")]];
+/** Returns in words what a behaviour does, as far as a few of its results show it, each part with these results. */
+function behaviourParts(one, behaviour) {
+  const all = behaviour.views.flatMap((view) => view.points);
+  const at = (x) => all.find((point) => Object.is(point.x, x));
+  const halves = [0.5, 1.5, 2.5, -0.5, -1.5].map(at);
+  const parts = [{ text: ROUNDINGS[halves.map((point) => String(point?.y ?? "").replace(/^-0$/, "0")).join(" ")], points: halves }];
   const limits = limitsOf(one.result);
   if (limits !== null && WIDTHS[one.result] <= 32) {
-    const beyond = points.filter(({ x }) => x > limits[1] && x <= 1.5 * limits[1] && Number.isInteger(x)).slice(0, 9);
-    const all = (test) => beyond.length > 1 && beyond.every(test);
-    words.push(all(({ x, y }) => y === x - 2 ** WIDTHS[one.result]) ? `beyond the limits the low ${WIDTHS[one.result]} bits` : all(({ y }) => y === limits[1]) ? "beyond the limits the limit" : undefined);
+    const size = 2 ** WIDTHS[one.result];
+    const beside = (isThere, limit, shift) => {
+      const points = all.filter(({ x }) => isThere(x) && Math.abs(x - limit) <= size / 4 && Number.isInteger(x)).slice(0, 9);
+      const isDone = (test) => points.length > 1 && points.every(test);
+      return { points, text: isDone(({ x, y }) => y === x + shift) ? `the low ${WIDTHS[one.result]} bits` : isDone(({ y }) => y === limit) ? "the limit" : undefined };
+    };
+    const above = beside((x) => x > limits[1], limits[1], -size);
+    const below = beside((x) => x < limits[0], limits[0], size);
+    const told = (where, { text, points }) => ({ text: text && `${where} ${text}`, points });
+    parts.push(...(above.text === below.text || below.points.length === 0 ? [told("beyond the limits", above)] : [told("above the greatest value", above), told("below the least one", below)]));
   }
-  const ends = [[Infinity, "infinity"], [NaN, "NaN"]].filter(([x]) => at(x) !== undefined).map(([x, name]) => `${name} gives ${at(x).result}`);
-  return [...words, ...ends].filter((word) => word !== undefined && word !== "").join("; ");
+  const signs = at(Infinity)?.result === at(-Infinity)?.result ? [[Infinity, "infinity"]] : [[Infinity, "infinity"], [-Infinity, "negative infinity"]];
+  const ends = [...signs, [NaN, "NaN"]].filter(([x]) => at(x) !== undefined).map(([x, name]) => ({ text: `${name} gives ${at(x).result}`, points: [at(x)] }));
+  return [...parts, ...ends].filter(({ text }) => text !== undefined);
 }
 
 /** Returns where a behaviour first does otherwise than another that has the same words. */
@@ -81,7 +91,7 @@ function firstDifference(behaviour, other) {
   const points = behaviour.views.flatMap((view) => view.points);
   const others = new Map(other.views.flatMap((view) => view.points).map((point) => [point.operand, point.result]));
   const found = points.find(({ operand, result }) => others.has(operand) && others.get(operand) !== result);
-  return found === undefined ? "" : `Otherwise than ${systemNames(other.dialects)[0]}: ${found.operand} gives ${found.result}, not ${others.get(found.operand)}.`;
+  return found === undefined ? "" : `Not with ${systemNames(other.dialects)[0]}, because ${found.operand} gives ${found.result} here and ${others.get(found.operand)} there.`;
 }
 
 /** Returns the panel of a behaviour: the systems that share it, its views, what is under the cursor, and all of it as a table. */
@@ -97,11 +107,13 @@ function panel(one, rows, behaviour, value) {
   } };
   const [sought, soughtView] = behaviour.views.flatMap((view) => view.points.map((point) => [point, view])).find(([point]) => isAt(point, value)) || [];
   const start = soughtView || behaviour.views[0];
+  const isChosen = ({ points }) => points.every((point) => statedFor(known, start, point).length === 0);
+  const words = behaviour.parts.map((part) => `${part.text}${isChosen(part) ? " (chosen)" : ""}`).join("; ");
   const drawn = behaviour.views.map((view) => viewOf(known, view, start === view, sought));
   known.show(start, sought || notable(one, start)[0] || start.points[0]);
   return el("figure.panel", {}, el("figcaption", {}, el("h4", {}, systemNames([...judged, ...behaviour.dialects.filter((name) => !judged.includes(name))]).map((name, index) =>
     [index > 0 ? " · " : "", own !== "" && index === 0 && judged[0] === own ? el("strong.own", {}, name) : name]))),
-  behaviour.words === "" && behaviour.difference === "" ? null : el("p.dim", {}, behaviour.words === "" ? "" : `${behaviour.words[0].toUpperCase()}${behaviour.words.slice(1)}. `, behaviour.difference),
+  words === "" && behaviour.difference === "" ? null : el("p.dim", {}, words === "" ? "" : `${words[0].toUpperCase()}${words.slice(1)}. `, behaviour.difference),
   el("div.views", {}, drawn), readout, bits,
   opening("The same as a table", () => behaviour.views.map((view) => table(viewTitle(one, view), [one.operands[0], one.result, "source"],
     view.points.map((point) => [point.operand, point.result, el("span", {}, ...sourcesOf(view, point, behaviour, judged, singles))]))), false));
@@ -156,11 +168,23 @@ function statusOf(number, { judged }) {
   return number === judged.length ? "stated" : number > 0 ? "partly" : "chosen";
 }
 
-/** Returns for how many of the systems that count a source states the result of a point: `stated`, `partly` or `chosen`. */
-function statusOfPoint(known, view, point) {
+/** Returns the systems that count for which a source states the result of a point. */
+function statedFor(known, view, point) {
   const isStated = (dialect) => isDocumented(view.basisOf(dialect, point))
     || known.singles.some(({ x, y, basis, who }) => x === point.x && y === point.y && isDocumented(basis) && who === titleOf(dialect));
-  return statusOf(known.judged.filter(isStated).length, known);
+  return known.judged.filter(isStated);
+}
+
+/** Returns for how many of the systems that count a source states the result of a point: `stated`, `partly` or `chosen`. */
+function statusOfPoint(known, view, point) {
+  return statusOf(statedFor(known, view, point).length, known);
+}
+
+/** Returns in words for which systems of a panel a source states the result of a point, where it is not for all. */
+function statedWords(known, view, point) {
+  const names = systemNames(statedFor(known, view, point));
+  if (statusOfPoint(known, view, point) === "stated") return "";
+  return names.length === 0 ? " (chosen)" : ` (stated for ${names.length > 3 ? `${names.slice(0, 2).join(", ")} and ${names.length - 2} more` : names.join(", ")})`;
 }
 
 /** Returns for how many of the systems that count a source states a rule by which the result of a point comes, and not only single results. */
@@ -249,7 +273,7 @@ function viewOf(known, view, isRead, found) {
   move((sought || told[0] || view.points[0]).index, false);
   return el("div.view", {}, el("div.name", {}, title), drawing,
     el("div.told", {}, [sought, ...told].filter((point, index, all) => point !== undefined && all.indexOf(point) === index).map((point) =>
-      el(point === sought ? "strong" : "span", {}, `${point.operand} → ${point.result}`, { stated: "", partly: " (stated for some)", chosen: " (chosen)" }[statusOfPoint(known, view, point)]))));
+      el(point === sought ? "strong" : "span", {}, `${point.operand} → ${point.result}`, statedWords(known, view, point)))));
 }
 
 /** Returns the index of the sample that is nearest to a place in the drawing. */
