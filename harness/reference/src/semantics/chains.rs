@@ -12,7 +12,7 @@ use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Conversion, ConversionRule};
-use crate::instruction::Instruction;
+use crate::instruction::{ArithmeticOperator, Instruction};
 use stickler_syntax::tree::{BinaryOperator, ExpressionId};
 use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType, MomentUnits};
@@ -41,7 +41,7 @@ impl Lowering<'_> {
                     let code = self.undefined_code(operator, operands);
                     let mut message = self.undefined(operator.as_str(), operands);
                     if code == Code::NotImplemented {
-                        message += ": addresses that move by whole variables are not implemented";
+                        message += ": of an address, only a declared pointer and a number have a sum that is implemented";
                     }
                     self.report(code, self.span(at), message);
                     None
@@ -199,6 +199,15 @@ impl Lowering<'_> {
                         stops,
                     },
                 );
+            }
+            Action::Move(operator) => {
+                let address = link.operation.map_or(TypeId::ADDRESS, |operation| operation.left);
+                let target = self.model.types.pointer(address).map(|pointer| pointer.target);
+                let size = target.map_or(1, |target| self.sizes(target).0);
+                self.emit(Instruction::Push(u64::from(size)));
+                let ty = ElementaryType::Lint;
+                self.emit_at(span, Instruction::Arithmetic(ArithmeticOperator::Multiply, ty));
+                self.emit_at(span, Instruction::Arithmetic(operator, ty));
             }
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),

@@ -161,6 +161,15 @@ impl<'m> Lowering<'m> {
     ) -> Option<VariablePlace> {
         let ty = parameter.ty;
         let span = self.span(argument);
+        if parameter.constant && parameter.limits == 0 && !self.names_a_place(argument) {
+            let address = Location::Absolute(self.temporary_of(ty, span));
+            let copy = VariablePlace::new(address, ty);
+            self.begin_store(copy);
+            self.coerce(argument, ty, ValueContext::Argument);
+            self.finish_store(copy, span);
+            self.push_address(address);
+            return Some(copy);
+        }
         let (code, what) = (
             Code::FunctionCallInOutArgNotVariable,
             "VAR_IN_OUT needs a variable",

@@ -52,6 +52,8 @@ pub(super) enum Action {
         base: ElementaryType,
         exponent: ElementaryType,
     },
+    /// An address moves by a number of variables of its type.
+    Move(ArithmeticOperator),
     Compare(ComparisonOperator, ElementaryType),
     CompareText(ComparisonOperator),
     Logic(LogicOperator),
@@ -89,13 +91,11 @@ impl TypeRules<'_> {
             return OperatorSignature::Silent;
         }
         let is_pointer = |value| matches!(value, Inferred::Known(ty) if self.types.pointer(ty).is_some());
-        // There an address moves by whole variables, and not by bytes.
-        let moves = self.dialect.references_are_pointers && (is_pointer(left) || is_pointer(right));
-        if moves && matches!(self.group(operator), OperatorGroup::Arithmetic(_)) {
-            return OperatorSignature::Undefined;
-        }
+        let moves = self.dialect.pointers_count_variables && (is_pointer(left) || is_pointer(right));
+        let unmoved = (left, right);
         let (left, right) = (self.address(left), self.address(right));
         let operation = match self.group(operator) {
+            OperatorGroup::Arithmetic(arithmetic) if moves => self.moved(arithmetic, unmoved),
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
             OperatorGroup::ShortCircuit { decisive } => {
                 let is_bool = |operand| operand == Inferred::Known(TypeId::BOOL);
@@ -307,6 +307,22 @@ impl TypeRules<'_> {
             swapped,
         };
         defined.then_some(TypedOperation::new((left, right), action, duration))
+    }
+
+    /// An address to which the number of variables is added by which it moves, or from which it is taken.
+    ///
+    /// Basis: strucpp-tests: src/runtime/include/iec_ptr.hpp.
+    fn moved(self, operator: ArithmeticOperator, sides: (Inferred, Inferred)) -> Option<TypedOperation> {
+        let (Inferred::Known(address), right) = sides else {
+            return None;
+        };
+        let is_known = address != TypeId::ADDRESS && self.types.pointer(address).is_some();
+        let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
+        let sides = (address, TypeId::of(ElementaryType::Lint));
+        let counts = |ty| counting(ty, self.dialect).is_some();
+        let is_number = matches!(right, Inferred::Integer(_)) || right.elementary().is_some_and(counts);
+        (is_known && additive && is_number)
+            .then(|| TypedOperation::new(sides, Action::Move(operator), address))
     }
 
     /// Differences of dates and times of day, and a duration added to one or taken from it.

@@ -78,7 +78,7 @@ impl<'u> Declarer<'u, '_> {
 
 /// Returns whether addresses are numbers, so that a pointer of any type leads anywhere.
 pub(super) fn addresses_are_numbers(dialect: &Dialect) -> bool {
-    !dialect.lacks("pointer-arithmetic") || dialect.references_are_pointers
+    !dialect.lacks("pointer-arithmetic")
 }
 
 /// Returns whether a value of one type may stand where another is expected, at least one of which is a reference or pointer.

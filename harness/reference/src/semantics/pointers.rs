@@ -312,7 +312,7 @@ impl<'m> Lowering<'m> {
             _ if !is_pointer(left) && !is_pointer(right) => Code::OperatorOperandTypeMismatch,
             Equal | NotEqual => Code::ReferenceTypeMismatch,
             Less | LessOrEqual | Greater | GreaterOrEqual => Code::OrderingOnReference,
-            _ if self.model.source.dialect.references_are_pointers => Code::NotImplemented,
+            _ if self.model.source.dialect.pointers_count_variables => Code::NotImplemented,
             _ => Code::ArithmeticOnReference,
         }
     }

@@ -63,17 +63,19 @@ impl<'s> Parser<'s, '_> {
 
     /// CONSTANT, RETAIN, NON_RETAIN and PERSISTENT, in any order.
     ///
-    /// Basis: 6.5.2 of the third edition: inputs and outputs may be retained, but are no constants. PERSISTENT
-    /// is no word of the standard, but of many compilers.
+    /// Basis: 6.5.2 of the third edition: inputs and outputs may be retained, but are no constants; codesys-pages:
+    /// _cds_vartypes_constant, by which inputs may be. PERSISTENT is no word of the standard, but of many compilers.
     fn qualifiers(&mut self, section: VariableKind) -> (Option<Access>, bool, Option<&'s str>) {
-        use VariableKind::{External, Global, Input, Instance, Local, Output, Static};
+        use VariableKind::{External, Global, InOut, Input, Instance, Local, Output, Static};
+        let may_be_constant = match section {
+            Local | Instance | Static | External | Global => true,
+            Input | InOut => self.dialect.constant_parameters,
+            _ => false,
+        };
         let (mut access, mut constant, mut retention) = (None, false, None);
         loop {
             let allowed = match self.kind() {
-                TokenKind::Constant => {
-                    let is_new = !std::mem::replace(&mut constant, true);
-                    is_new && matches!(section, Local | Instance | Static | External | Global)
-                }
+                TokenKind::Constant => !std::mem::replace(&mut constant, true) && may_be_constant,
                 TokenKind::Retain | TokenKind::NonRetain => {
                     let is_new = retention.is_none_or(|known: &str| known.eq_ignore_ascii_case("PERSISTENT"));
                     retention = retention.or(Some(self.word()));
@@ -82,7 +84,7 @@ impl<'s> Parser<'s, '_> {
                 TokenKind::Name if self.names_a_variable() => return (access, constant, retention),
                 TokenKind::Name if self.at_word("PERSISTENT") => {
                     retention = Some(self.word());
-                    matches!(section, Local | Global)
+                    matches!(section, Local | Global | Input)
                 }
                 TokenKind::Name if self.access().is_some() => {
                     let (span, word) = (self.token().span, self.word());
