@@ -1,11 +1,10 @@
 //! The catalogue of conversion functions: every name of a dialect with its signatures.
 //!
-//! The catalogue is generated once for all dialects that have the same functions, from pairs of types and a few patterns of
-//! names, and looked up afterwards.
+//! The catalogue of a dialect is generated once, from pairs of types and a few patterns of names, and looked up afterwards.
 
 use crate::signature::{Operation, Signature, has_meaning};
 use std::collections::HashMap;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 
 /// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
@@ -83,76 +82,38 @@ fn short_spelling(name: &str) -> String {
     name.replace("TIME_OF_DAY", "TOD").replace("DATE_AND_TIME", "DT")
 }
 
-/// The functions of all dialects that have the same features.
+/// The functions of a dialect.
 struct Catalogue {
+    /// The types that a program of the dialect may name; a function of another one is none.
+    types: Vec<ElementaryType>,
     names: Vec<String>,
     by_name: HashMap<String, Vec<Signature>>,
 }
 
-/// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 32] = [const { OnceLock::new() }; 32];
-
-/// The features by which the functions of dialects differ.
-#[derive(Clone, Copy)]
-struct Features {
-    /// Bit 0: the types of the third edition.
-    third_edition: bool,
-    /// Bit 1: ROUND and its kin.
-    roundings: bool,
-    /// Bit 2: LDATE, LTOD and LDT among those types.
-    long_dates: bool,
-    /// Bit 3: the roundings give a DINT, or the type behind their name.
-    to_dint: bool,
-    /// Bit 4: TRUNC gives a LINT of an LREAL.
-    long_truncation: bool,
-}
-
-impl Features {
-    fn of(dialect: DialectName) -> Features {
-        let rules = dialect.rules();
-        Features {
-            third_edition: rules.has(ElementaryType::Ltime),
-            roundings: rules.rounding_functions,
-            long_dates: rules.has(ElementaryType::Ldate),
-            to_dint: rules.rounds_to_dint,
-            long_truncation: rules.long_truncation,
-        }
-    }
-
-    fn index(self) -> usize {
-        let bits = [
-            self.third_edition,
-            self.roundings,
-            self.long_dates,
-            self.to_dint,
-            self.long_truncation,
-        ];
-        bits.iter().rfold(0, |index, bit| index << 1 | usize::from(*bit))
-    }
-}
+/// The catalogues that were asked for. They are kept to the end of the process, which has few dialects.
+static CATALOGUES: LazyLock<Mutex<HashMap<DialectName, &'static Catalogue>>> = LazyLock::new(Mutex::default);
 
 impl Catalogue {
     fn of(dialect: DialectName) -> &'static Catalogue {
-        let features = Features::of(dialect);
-        CATALOGUES[features.index()].get_or_init(|| Catalogue::written_out(features))
+        let mut known = CATALOGUES.lock().unwrap_or_else(PoisonError::into_inner);
+        known
+            .entry(dialect)
+            .or_insert_with(|| Box::leak(Box::new(Catalogue::written_out(dialect.rules()))))
     }
 
-    fn written_out(features: Features) -> Catalogue {
+    fn written_out(rules: &Dialect) -> Catalogue {
+        let types = ElementaryType::ALL.into_iter();
         let mut catalogue = Catalogue {
+            types: types.filter(|ty| rules.may_name(*ty)).collect(),
             names: Vec::new(),
             by_name: HashMap::new(),
         };
-        let types: Vec<ElementaryType> = ElementaryType::ALL
-            .into_iter()
-            .filter(|ty| features.third_edition || !ty.is_third_edition())
-            .filter(|ty| features.long_dates || !is_long_date(*ty))
-            .collect();
-        catalogue.add_pairs(&types);
-        catalogue.add_truncations(features.long_truncation);
+        catalogue.add_pairs();
+        catalogue.add_truncations(rules.long_truncation);
         catalogue.add_bcd();
-        catalogue.add_concatenations(&types);
-        if features.roundings {
-            catalogue.add_roundings(features.to_dint);
+        catalogue.add_concatenations();
+        if rules.rounding_functions {
+            catalogue.add_roundings(rules.rounds_to_dint);
         }
         catalogue
     }
@@ -168,6 +129,10 @@ impl Catalogue {
     }
 
     fn add_signature(&mut self, signature: Signature) {
+        let is_known = |ty: &ElementaryType| self.types.contains(ty);
+        if !(signature.operands.iter().all(is_known) && is_known(&signature.result)) {
+            return;
+        }
         let signatures = self.by_name.entry(signature.function.clone()).or_default();
         if signatures.is_empty() {
             self.names.push(signature.function.clone());
@@ -176,7 +141,8 @@ impl Catalogue {
     }
 
     /// Adds `<SRC>_TO_<DST>` and `TO_<DST>`.
-    fn add_pairs(&mut self, types: &[ElementaryType]) {
+    fn add_pairs(&mut self) {
+        let types = self.types.clone();
         let pairs = || {
             let all = types
                 .iter()
@@ -237,18 +203,16 @@ impl Catalogue {
         }
     }
 
-    /// Adds `CONCAT_…` of the types that the dialect has.
-    fn add_concatenations(&mut self, types: &[ElementaryType]) {
+    /// Adds `CONCAT_…`.
+    fn add_concatenations(&mut self) {
         use ElementaryType::{Date, Dt, Ldate, Ldt, Ltod, Tod};
         for (date, time, result) in [(Date, Tod, Dt), (Date, Ltod, Ldt), (Ldate, Ltod, Ldt)] {
-            if [date, time, result].iter().all(|ty| types.contains(ty)) {
-                self.add_signature(Signature {
-                    function: format!("CONCAT_{date}_{time}"),
-                    operands: vec![date, time],
-                    result,
-                    operation: Operation::Concatenate,
-                });
-            }
+            self.add_signature(Signature {
+                function: format!("CONCAT_{date}_{time}"),
+                operands: vec![date, time],
+                result,
+                operation: Operation::Concatenate,
+            });
         }
     }
 
@@ -277,8 +241,3 @@ impl Catalogue {
 }
 
 const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal];
-
-/// Returns whether a type is LDATE, LTOD or LDT.
-fn is_long_date(ty: ElementaryType) -> bool {
-    ty.is_third_edition() && ty.is_date_or_time()
-}

@@ -21,7 +21,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if from == to {
         return MatrixWord::Same;
     }
-    if !dialect.rules().has(from) || !dialect.rules().has(to) {
+    if !dialect.rules().may_name(from) || !dialect.rules().may_name(to) {
         return MatrixWord::No;
     }
     let rules = Dialect::of(dialect);

@@ -92,10 +92,11 @@ fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) 
     kind.plant(&mut fault)?;
     let rules = program.dialect.rules();
     if !rules.features.lacked_types.is_empty() {
-        // A type that the dialect lacks would be an error of its own.
-        let text = write(&fault.program, &Style::default()).text;
-        let used = features(&text, rules);
-        used.iter().all(|feature| !rules.lacks(feature)).then_some(())?;
+        // What the mistake brings in and the dialect lacks would be an error of its own.
+        let used = |program: &Program| features(&write(program, &Style::default()).text, rules);
+        let brought_in = &used(&fault.program) - &used(program);
+        let mut lacked = rules.features.lacks.iter();
+        (!lacked.any(|lacked| brought_in.contains(lacked.as_str()))).then_some(())?;
     }
     Some(Planted {
         program: fault.program,

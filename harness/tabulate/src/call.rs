@@ -49,6 +49,19 @@ impl Call {
         self.signature.result
     }
 
+    /// Returns whether a program of a dialect may name the types of the call.
+    #[must_use]
+    pub fn may_be_named(&self, dialect: DialectName) -> bool {
+        let mut types = self.signature.operands.iter().chain([&self.signature.result]);
+        types.all(|ty| dialect.rules().may_name(*ty))
+    }
+
+    /// Returns whether a dialect lacks a type of the call that its edition has.
+    pub(crate) fn is_lacked(&self, dialect: DialectName) -> bool {
+        let mut types = self.signature.operands.iter().chain([&self.signature.result]);
+        !self.may_be_named(dialect) && types.all(|ty| dialect.rules().has(*ty))
+    }
+
     /// Returns the result in a dialect with the document that says so, or nothing where the dialect does not have the function.
     #[must_use]
     pub fn expected(&self, dialect: DialectName) -> Option<Expected> {

@@ -45,7 +45,7 @@ impl Table {
         let mut leaves_out = false;
         let mut leaves_open = Vec::new();
         for probe in &self.probes {
-            for &dialect in &probe.dialects {
+            for &dialect in probe.dialects.iter().filter(|dialect| !call.is_lacked(**dialect)) {
                 let expected = call.expected(dialect);
                 let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
                 if probe.claim == Some(ProbeClaim::Value) && expected.basis.is_none() {

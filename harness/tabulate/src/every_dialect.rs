@@ -146,15 +146,11 @@ impl Table {
     /// Returns the names of dialects in the shorter way: nothing for all of the table that have the types of the call, all but some of
     /// these, or those.
     fn named(&self, dialects: &[DialectName], call: &Call) -> String {
-        let has_types = |dialect: DialectName| {
-            let mut types = call.signature.operands.iter().chain([&call.signature.result]);
-            types.all(|ty| Dialect::of(dialect).has(*ty))
-        };
         let others = self
             .dialects_of_probes()
             .filter(|dialect| !dialects.contains(dialect));
         let others: Vec<&str> = others
-            .filter(|dialect| has_types(*dialect))
+            .filter(|dialect| call.may_be_named(*dialect))
             .map(DialectName::as_str)
             .collect();
         let those: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();

@@ -13,7 +13,7 @@ pub struct DeclaredFeatures {
     pub has: Vec<String>,
     /// The features that it lacks, whatever its edition has.
     pub lacks: Vec<String>,
-    /// The elementary types of the second edition among these.
+    /// The elementary types among these.
     pub lacked_types: Vec<ElementaryType>,
 }
 

@@ -278,14 +278,12 @@ impl Dialect {
     /// file.
     #[must_use]
     pub fn lacks(&self, feature: &str) -> bool {
-        use ElementaryType::{Char, Ldate, Ldt, Ltime, Ltod, Wchar};
+        use ElementaryType::{Ldate, Ldt, Ltime, Ltod};
         let by_choice = match feature {
-            "ltime" | "long-duration-literal" => !self.has(Ltime),
-            "ldate" | "long-date-literal" => !self.has(Ldate),
-            "ltod" | "long-time-of-day-literal" => !self.has(Ltod),
-            "ldt" | "long-date-and-time-literal" => !self.has(Ldt),
-            "char" => !self.has(Char),
-            "wchar" => !self.has(Wchar),
+            "long-duration-literal" => !self.has(Ltime),
+            "long-date-literal" => !self.has(Ldate),
+            "long-time-of-day-literal" => !self.has(Ltod),
+            "long-date-and-time-literal" => !self.has(Ldt),
             "wstring" | "wide-string-literal" => !self.documents.wide_strings,
             "bit-access" => !self.bit_access,
             "partial-access-bit" => !self.partial_access.is_enabled(),
@@ -296,7 +294,7 @@ impl Dialect {
             "nested-comment" => !self.nested_comments,
             "ampersand" | "power" => !self.ampersand_and_power,
             "round" | "ceil" | "ceiling" | "floor" => !self.rounding_functions,
-            _ => false,
+            _ => ElementaryType::from_name(feature).is_some_and(|ty| !self.has(ty)),
         };
         by_choice || self.features.lacks.iter().any(|lacked| lacked == feature)
     }
@@ -322,7 +320,6 @@ impl Dialect {
     }
 
     /// Returns whether a program may name this elementary type: the edition of the dialect has it, and its documents do not say that it lacks it.
-    /// Of the types of the third edition the choice `third-edition-types` says that alone.
     #[must_use]
     pub fn may_name(&self, ty: ElementaryType) -> bool {
         self.has(ty) && !self.features.lacked_types.contains(&ty)

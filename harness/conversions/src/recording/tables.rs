@@ -78,14 +78,14 @@ impl Recording {
             Question::Implicit(pair) => {
                 let answer = self.implicit(dialect, *pair)?;
                 let rules = dialect.rules();
-                let expected = match rules.has(pair.0) && rules.has(pair.1) {
+                let expected = match rules.may_name(pair.0) && rules.may_name(pair.1) {
                     true => accepted_or_not(answer),
                     false => Err("a type that the dialect does not have"),
                 };
                 Some((RecordedSection::Implicit, expected))
             }
             Question::Part(ty, part) => {
-                let expected = match (self.part(dialect, *ty, part)?, dialect.rules().has(*ty)) {
+                let expected = match (self.part(dialect, *ty, part)?, dialect.rules().may_name(*ty)) {
                     (_, false) => Err("a type that the dialect does not have"),
                     (MatrixAnswer::Rejects, _) if part.starts_with('%') => Err(
                         "a part that is rejected: whether the form or the number is wrong was not recorded",

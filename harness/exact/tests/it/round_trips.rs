@@ -7,7 +7,7 @@ use stickler_types::{
     Value, literal,
 };
 
-const DIALECT: DialectName = DialectName::IRONPLC_ED3;
+const DIALECT: DialectName = DialectName::IEC_ED3;
 
 fn call(function: &str, operand: &Value, choices: &ConversionChoices) -> Value {
     let found = signatures(function, DIALECT);

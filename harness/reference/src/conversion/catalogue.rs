@@ -217,7 +217,7 @@ fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
     let is_short = |ty: &ElementaryType| ty.name() == dialect.standard_name(name);
     dialect
         .elementary(name)
-        .filter(|ty| dialect.has(*ty) && (dialect.long_names_convert || is_short(ty)))
+        .filter(|ty| dialect.may_name(*ty) && (dialect.long_names_convert || is_short(ty)))
 }
 
 /// `<SRC>_TO_<DST>`.
@@ -343,6 +343,6 @@ pub fn conversion_function_name(
     to: ElementaryType,
     dialect: &Dialect,
 ) -> Option<String> {
-    pair(from, to, dialect).filter(|_| dialect.has(from) && dialect.has(to))?;
+    pair(from, to, dialect).filter(|_| dialect.may_name(from) && dialect.may_name(to))?;
     Some(format!("{}_TO_{}", from.name(), to.name()))
 }

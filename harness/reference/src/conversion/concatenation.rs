@@ -49,7 +49,7 @@ pub fn concatenation(name: &str, dialect: &Dialect) -> Option<Concatenation> {
         .into_iter()
         .find(|(known, _)| known.eq_ignore_ascii_case(name))
         .map(|(_, function)| function)
-        .filter(|function| function.operands.iter().all(|&ty| dialect.has(ty)))
+        .filter(|function| function.operands.iter().all(|&ty| dialect.may_name(ty)))
 }
 
 impl Concatenation {

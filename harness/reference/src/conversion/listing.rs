@@ -87,7 +87,7 @@ mod tests {
 
     #[test]
     fn every_name_is_a_function_and_stands_there_once() {
-        let all = functions(Dialect::of(DialectName::CODESYS));
+        let all = functions(Dialect::of(DialectName::IEC_ED3));
         assert_eq!(all.len(), catalogue_names().len(), "this dialect has them all");
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
         let matiec = functions(Dialect::of(DialectName::MATIEC));

@@ -158,11 +158,8 @@ fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Read<()> {
             "has" => declared.has = texts("has", value)?,
             "lacks" => {
                 declared.lacks = texts("lacks", value)?;
-                let types = declared
-                    .lacks
-                    .iter()
-                    .filter_map(|key| ElementaryType::from_name(key));
-                declared.lacked_types = types.filter(|ty| !ty.is_third_edition()).collect();
+                let types = declared.lacks.iter();
+                declared.lacked_types = types.filter_map(|key| ElementaryType::from_name(key)).collect();
             }
             other => {
                 let known = ["edition", "has", "lacks"];
