@@ -98,20 +98,28 @@ impl Trace {
         Ok(request)
     }
 
-    /// Returns the number of scans: the length of the longest list, of which there must be one.
+    /// Returns the number of scans: the length of all lists, of which there must be one.
     ///
     /// # Errors
-    /// No list, or one beyond [`MAX_SCANS`].
+    /// No list, lists of different lengths, or one beyond [`MAX_SCANS`].
     fn scans(&self) -> anyhow::Result<u32> {
-        let columns = self.inputs.values().chain(self.expected.values());
-        let lengths = columns.filter_map(|column| Some(column.as_array()?.len()));
-        let longest = lengths.chain([self.clock.len()]).max().unwrap_or(0);
-        ensure!(longest > 0, "no variable has a list of values, one for each scan");
+        let columns = self.inputs.iter().chain(&self.expected);
+        let lists = columns.filter_map(|(name, column)| Some((name.as_str(), column.as_array()?.len())));
+        let clock = Some(("clock", self.clock.len())).filter(|(_, length)| *length > 0);
+        let lists: Vec<(&str, usize)> = clock.into_iter().chain(lists).collect();
+        let longest = lists.iter().copied().max_by_key(|(_, length)| *length);
+        let (name, scans) = longest.context("no variable has a list of values, one for each scan")?;
+        // What a scan expects must not be lost because a list ends before it.
+        if let Some((other, fewer)) = lists.iter().find(|(_, length)| *length < scans) {
+            bail!(
+                "the list of `{other}` has {fewer} values and that of `{name}` {scans}: each has one for each scan, null where there is none"
+            );
+        }
         ensure!(
-            longest <= MAX_SCANS,
-            "{longest} scans are more than the {MAX_SCANS} that a trace may have"
+            (1..=MAX_SCANS).contains(&scans),
+            "a trace has 1 to {MAX_SCANS} scans, and not {scans}"
         );
-        Ok(u32::try_from(longest)?)
+        Ok(u32::try_from(scans)?)
     }
 
     /// Returns the times of the trace, or those of scans that are `cycle` nanoseconds apart.
@@ -191,7 +199,15 @@ fn of_json(error: serde_json::Error) -> Misreading {
 
 fn of_csv(error: csv::Error) -> Misreading {
     let line = error.position().map_or(1, |position| position.line() as usize);
-    ((line, 1), error.to_string())
+    let message = match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => {
+            format!("the first row has {expected_len} cells, and this one {len}")
+        }
+        _ => error.to_string(),
+    };
+    ((line, 1), message)
 }
 
 /// Reads a table with a row a scan.

@@ -4,6 +4,7 @@ use super::caller::Judged;
 use anyhow::{Context, bail, ensure};
 use serde_json::Value as Json;
 use std::sync::Arc;
+use stickler_types::dialect_file::nearest;
 use stickler_types::{ElementaryType, Value};
 
 /// The maximum number of elementary variables of a program that is judged.
@@ -41,9 +42,12 @@ impl Variables {
             .iter()
             .map(|prefix| format!("{prefix}{of_program}"));
         let Some(path) = paths.into_iter().find(|path| self.has(path)) else {
-            let known = self.list.iter().map(|(known, _)| judged.shown(known));
-            let shown: Vec<String> = known.take(LISTED).collect();
-            let more = if self.list.len() > LISTED { ", …" } else { "" };
+            let known: Vec<String> = self.list.iter().map(|(known, _)| judged.shown(known)).collect();
+            if let Some(meant) = nearest(name, known.iter().map(String::as_str)) {
+                bail!("there is no variable `{name}`; did you mean `{meant}`?");
+            }
+            let more = if known.len() > LISTED { ", …" } else { "" };
+            let shown = &known[..known.len().min(LISTED)];
             bail!(
                 "there is no variable `{name}`; there are {}{more}",
                 shown.join(", ")
