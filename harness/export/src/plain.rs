@@ -144,7 +144,8 @@ fn writing(path: &Path) -> impl Fn(std::io::Error) -> ExportError + '_ {
 /// system takes.
 fn file_name(case: &Case, taken: &mut BTreeSet<String>) -> String {
     let mut name = format!("{PROGRAMS}/{}/", case.dialect);
-    for letter in case.id.replace("::", "/").chars() {
+    let (probe, arguments) = case.id.split_at(case.id.find('(').unwrap_or(case.id.len()));
+    for letter in (probe.replace("::", "/") + &arguments.replace('/', "_")).chars() {
         let is_plain = letter.is_ascii_alphanumeric() || matches!(letter, '/' | '-' | '.');
         name.push(if is_plain { letter } else { '_' });
     }

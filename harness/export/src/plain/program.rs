@@ -7,7 +7,7 @@ use stickler_run::{Fact, breaks_reading, expected_facts};
 use stickler_suite::{Acceptance, Case, ExpectedValue, Sources};
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{Pou, PouKind};
-use stickler_types::{Dialect, ElementaryType, Value};
+use stickler_types::{Diagnostic, Dialect, ElementaryType, Value};
 
 /// The start of the names of the variables that become TRUE.
 pub(super) const CHECK: &str = "CHECK_";
@@ -30,14 +30,19 @@ pub(super) fn text(case: &Case, sources: &Sources) -> Result<String, &'static st
     let program = case.source.trim_start();
     let program = match expectation.accepted {
         Acceptance::Rejected => marked(case),
-        _ if expectation.values.is_empty() => program.to_owned(),
+        // What stands behind the statement that stops is never executed.
+        _ if expectation.values.is_empty() || expectation.fault.is_some() => program.to_owned(),
         _ => checked(case)?,
     };
-    Ok(format!("{}{}\n", head(case, sources), program.trim_end()))
+    let skipped = case.source.len() - case.source.trim_start().len();
+    let skipped = case.source[..skipped].lines().count() as u32;
+    let added = head(case, sources, (0, 0)).lines().count() as u32;
+    let head = head(case, sources, (added, skipped));
+    Ok(format!("{head}{}\n", program.trim_end()))
 }
 
-/// Returns the comment before the program.
-fn head(case: &Case, sources: &Sources) -> String {
+/// Returns the comment before the program, which has so many lines before it, and has lost so many of the case's.
+fn head(case: &Case, sources: &Sources, (added, lost): (u32, u32)) -> String {
     let mut head = format!(
         "(* {}\n   case     {}@{}\n   source   {}",
         case.title, case.id, case.dialect, case.basis
@@ -49,7 +54,16 @@ fn head(case: &Case, sources: &Sources) -> String {
             head.push_str("\n            (the document of another system, which binds none of this dialect)");
         }
     }
-    let facts = Fact::text(&expected_facts(case));
+    let mut facts = expected_facts(case);
+    for fact in &mut facts {
+        if let Fact::Diagnostic(Diagnostic { line, .. })
+        | Fact::Warning(Diagnostic { line, .. })
+        | Fact::Fault { line, .. } = fact
+        {
+            *line = line.map(|line| (line + added).saturating_sub(lost));
+        }
+    }
+    let facts = Fact::text(&facts);
     for (number, fact) in facts.lines().enumerate() {
         let word = if number == 0 { "expects" } else { "" };
         let _ = write!(head, "\n   {word:<8} {fact}");

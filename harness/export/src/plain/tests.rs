@@ -1,16 +1,16 @@
 //! Tests what is exported without a harness: its schema, and that the files alone give the verdicts of the suite on the reference.
 
 use super::program::CHECK;
-use super::{CASES, PROGRAMS, SCHEMA, export_plain};
+use super::{CASES, PROGRAMS, SCHEMA, export_plain, file_name};
 use crate::ExportError;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 use stickler_engines::{Observation, Outcome, RunRequest};
 use stickler_mdtest::schema::misfit;
 use stickler_reference::Limits;
 use stickler_suite::{Acceptance, Case, Suite};
-use stickler_types::Value;
+use stickler_types::{DialectName, Value};
 
 /// Returns the suite, of whose cases every 211th is tried.
 fn suite() -> Suite {
@@ -63,6 +63,13 @@ fn the_files_alone_give_the_verdicts_of_the_suite() {
     assert!(matches!(into_another, Err(ExportError::Occupied(..))));
 }
 
+#[test]
+fn the_arguments_of_a_case_make_no_folder() {
+    let case = Case::of_program("language/large::one(LINT_/_DINT)", DialectName::IEC_ED3, "");
+    let name = file_name(&case, &mut BTreeSet::new());
+    assert_eq!(name, "programs/iec-ed3/language/large/one_LINT___DINT_.st");
+}
+
 /// Asserts that a file alone tells what the case expects, and that the reference does it.
 fn judge(case: &Case, text: &str) {
     let key = format!("{}@{}\n{text}", case.id, case.dialect);
@@ -77,9 +84,13 @@ fn judge(case: &Case, text: &str) {
         ..RunRequest::once(case.dialect, text, &observe)
     };
     let outcome = stickler_reference::run(&request, Limits::default()).expect("an outcome");
+    let names_line = |line: Option<u32>| text.contains(&format!(" line {}: ", line.unwrap_or_default()));
     match (case.expectation.accepted, outcome) {
-        (Acceptance::Rejected, Outcome::Rejected { .. }) => {}
-        (Acceptance::Required, Outcome::Faulted { fault, .. }) => {
+        (Acceptance::Rejected, Outcome::Rejected { diagnostics }) => {
+            assert!(names_line(diagnostics[0].line), "{diagnostics:?} {key}");
+        }
+        (Acceptance::Required, Outcome::Faulted { fault, line, .. }) => {
+            assert!(names_line(line), "{line:?} {key}");
             assert_eq!(
                 Some(fault),
                 case.expectation.fault.map(|expected| expected.fault),
