@@ -101,7 +101,12 @@ fn system(dialect: DialectName, suite: &Suite) -> Value {
     let mut own: Vec<&Source> = suite.sources.iter().filter(is_own).collect();
     // What a product was seen to do is of one version, and a page often of none.
     own.sort_by_key(|source| !matches!(source.kind, SourceKind::Recording | SourceKind::Measurement));
-    let document = |source: &&Source| source_line(&format!("{}:", source.key), &suite.sources);
+    let document = |source: &&Source| {
+        let mut line = source_line(&format!("{}:", source.key), &suite.sources);
+        // Without a section it opens nothing.
+        line["address"] = Value::from(source.address.as_str());
+        line
+    };
     json!({
         "name": rules.title,
         "about": rules.about,
