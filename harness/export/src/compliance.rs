@@ -14,11 +14,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_conversions::overview::{StatedFunction, StatementsBuilder, rules};
 use stickler_conversions::{FunctionSession, Refusal};
-use stickler_engines::Engine;
+use stickler_engines::{Engine, Identity};
+use stickler_exact::Signature;
 use stickler_report::{html_page, html_text, markdown_text};
 use stickler_run::RunError;
 use stickler_suite::{Feature, SourceKind, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
 /// The system, the tables and the engine that a compliance statement is about.
@@ -70,17 +71,26 @@ impl ComplianceStatement {
     /// # Errors
     /// An engine or a thread that cannot be started, and an engine that takes no program at all.
     pub fn gather(plan: &CompliancePlan<'_>) -> Result<Option<ComplianceStatement>, RunError> {
-        let measured = match plan.engine.map(Engine::identity) {
-            Some(identity) => format!("measured on {} {}", identity.name, identity.version),
-            None => "as it declares, not measured".to_owned(),
+        let (dialect, version) = (plan.dialect, &plan.suite.version);
+        // The words of the standard are those of a maker about what was measured.
+        let claim = match plan.engine.map(Engine::identity) {
+            Some(Identity {
+                name, version: of, ..
+            }) => format!(
+                "This system complies with the requirements of IEC 61131-3, edition {}, for the following language features: those that it \
+                 has (measured on {name} {of}; dialect {dialect}, suite {version}).",
+                plan.edition
+            ),
+            None => format!(
+                "What documents and recordings say of this system, in the form of the statement that IEC 61131-3, edition {}, asks of its maker \
+                 (not measured; dialect {dialect}, suite {version}). A feature of its edition is one of which no source says otherwise; of an \
+                 open one none says anything.",
+                plan.edition
+            ),
         };
         let mut statement = ComplianceStatement {
             title: format!("Compliance statement: {}", plan.dialect.rules().title),
-            claim: format!(
-                "This system complies with the requirements of IEC 61131-3, edition {}, for the following language features: those that it \
-                 has ({measured}; dialect {}, suite {}).",
-                plan.edition, plan.dialect, plan.suite.version
-            ),
+            claim,
             sections: Vec::new(),
             differs: false,
         };
@@ -197,19 +207,28 @@ impl ComplianceStatement {
     /// As [`ComplianceStatement::gather`].
     fn add_conversions(&mut self, plan: &CompliancePlan<'_>) -> Result<(), RunError> {
         let open = || Ok::<_, RunError>(plan.engine.map(FunctionSession::open).transpose()?);
-        let functions = plan.statements.functions().iter();
-        let mut rows = WorkerPool::new(0).map(functions, open, |session, function| {
+        let lacks = |ty: &ElementaryType| plan.dialect.rules().lacks(&ty.name().to_ascii_lowercase());
+        let functions = plan.statements.functions().iter().filter(|function| {
+            let Signature { operands, result, .. } = &function.signature;
+            !operands.iter().chain([result]).any(lacks)
+        });
+        let functions: Vec<&StatedFunction> = functions.collect();
+        let mut rows = WorkerPool::new(0).map(functions.into_iter(), open, |session, function| {
             Ok(conversion(session.as_mut(), function, plan.dialect))
         })?;
         rows.sort();
         self.differs |= rows
             .iter()
             .any(|row| row.last().is_some_and(|example| !example.is_empty()));
+        let head: &'static [&'static str] = &["function", "effects", "stated", "measured", "example"];
+        let head = if plan.engine.is_some() { head } else { &head[..3] };
+        rows.iter_mut().for_each(|row| row.truncate(head.len()));
         self.sections.push(Section {
             title: "Effects of conversions".to_owned(),
             text: "A function without an effect keeps the value, or has no rule in which systems differ. Stated: the boundary values whose \
-                   results a source states; the others follow the effects. Measured: the boundary values that the engine gives so.",
-            head: &["function", "effects", "stated", "measured", "example"],
+                   results a source states; the others follow the effects, which are then Stickler's choice. Measured: the boundary values that \
+                   the engine gives so.",
+            head,
             rows,
         });
         Ok(())
