@@ -37,71 +37,43 @@ impl Assembly {
 }
 
 /// Returns a message if two claims cannot both be met. The lists of the expectation must be ordered by line.
-pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
-    let Expectation {
-        diagnostics,
-        warnings,
-        clean_lines,
-        values,
-        fault,
-        rendered,
-        accepted,
-    } = expectation;
-    let (observed, rejected) = (*accepted == Acceptance::Observed, !diagnostics.is_empty());
-    let has_clean_line = |told: &ExpectedDiagnostic| clean_lines.binary_search(&told.line).is_ok();
-    let (warns, runs, stops) = (!warnings.is_empty(), !values.is_empty(), fault.is_some());
-    let contradictions = [
-        (
-            warnings.iter().any(has_clean_line),
-            "`ok` and `warning` apply to the same line",
-        ),
-        (
-            rejected && observed,
-            "an `error` mark and `observe acceptance` apply at once",
-        ),
-        (
-            rejected && warns,
-            "an `error` mark applies, and the warnings of a rejected program are not compared, but one is asserted",
-        ),
-        (
-            rejected && runs,
-            "an `error` mark applies, so the program does not run, but values are asserted",
-        ),
-        (
-            rejected && stops,
-            "an `error` mark applies, so the program does not run, but a fault is asserted",
-        ),
-        (
-            rejected && rendered.is_some(),
-            "an `error` mark applies, but what the renderer gives back is asserted",
-        ),
-        (
-            diagnostics.iter().any(has_clean_line),
-            "`ok` and `error` apply to the same line",
-        ),
-        (
-            observed && warns,
-            "`observe acceptance` asserts nothing, but `warning` does",
-        ),
-        (
-            observed && runs,
-            "`observe acceptance` asserts nothing, but values are asserted",
-        ),
-        (
-            observed && stops,
-            "`observe acceptance` asserts nothing, but a fault is asserted",
-        ),
-        (
-            observed && rendered.is_some(),
-            "`observe acceptance` asserts nothing, but a rendered text is asserted",
-        ),
-        (
-            observed && !clean_lines.is_empty(),
-            "`observe acceptance` asserts nothing, but `ok` does",
-        ),
-    ];
-    let mut contradictions = contradictions.into_iter();
-    contradictions.find_map(|(applies, message)| applies.then_some(message))
+pub(crate) fn contradiction(expectation: &Expectation) -> Option<String> {
+    let has_clean_line =
+        |told: &ExpectedDiagnostic| expectation.clean_lines.binary_search(&told.line).is_ok();
+    for (told, mark) in [
+        (&expectation.warnings, "warning"),
+        (&expectation.diagnostics, "error"),
+    ] {
+        if told.iter().any(has_clean_line) {
+            return Some(format!("`ok` and `{mark}` apply to the same line"));
+        }
+    }
+    let mut asserted = [
+        (!expectation.warnings.is_empty(), "a warning is asserted"),
+        (!expectation.values.is_empty(), "values are asserted"),
+        (expectation.fault.is_some(), "a fault is asserted"),
+        (expectation.rendered.is_some(), "a rendered text is asserted"),
+    ]
+    .into_iter()
+    .filter_map(|(is_asserted, what)| is_asserted.then_some(what));
+    match (
+        expectation.accepted == Acceptance::Observed,
+        !expectation.diagnostics.is_empty(),
+    ) {
+        (true, true) => Some("an `error` mark and `observe acceptance` apply at once".to_owned()),
+        (true, false) => {
+            let clean = (!expectation.clean_lines.is_empty()).then_some("`ok` asserts a line");
+            let what = asserted.next().or(clean)?;
+            Some(format!("`observe acceptance` asserts nothing, but {what}"))
+        }
+        (false, true) => {
+            let what = asserted.next()?;
+            Some(format!(
+                "an `error` mark applies, so that nothing else of the program is compared, but {what}"
+            ))
+        }
+        (false, false) => None,
+    }
 }
 
 /// The names of the elementary types in the order of [`ElementaryType::ALL`], allocated once for all cases that use them.
