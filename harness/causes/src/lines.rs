@@ -12,7 +12,7 @@ use stickler_syntax::tree::{
 use stickler_syntax::visitor::Place;
 
 /// The maximum number of characters that are shown of a line, a message or a value.
-const MAX_LENGTH: usize = 90;
+const MAX_LENGTH: usize = 160;
 /// The maximum number of variables whose types are named.
 const MAX_TYPES: usize = 5;
 

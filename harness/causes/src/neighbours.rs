@@ -1,23 +1,33 @@
 //! Asks about the neighbours of a shown program: the same with another type, or in another unit. They say how far a cause goes, which its heading
 //! says where it goes no further.
 
+use crate::compiler_place::compiler_place;
 use crate::find::Asking;
-use crate::forms::{body, named_types, with_types};
+use crate::forms::{named_types, with_types};
 use crate::growing_cause::GrowingCause;
 use crate::program::{ReadProgram, read};
 use crate::question::Questioner;
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::words::{elementary, has_word, kind};
+use crate::words::{elementary, has_word};
 use stickler_engines::EngineError;
 use stickler_run::{Neighbour, Reduced, RunError, Symptom};
 use stickler_suite::Case;
-use stickler_syntax::tree::PouKind;
+use stickler_syntax::tree::{Pou, PouKind};
 use stickler_types::ElementaryType;
 use stickler_workers::WorkerPool;
 
-/// The maximum number of types that are tried in the place of one.
-const MAX_TYPES: usize = 4;
+/// The maximum number of types of the same family that are tried in the place of one.
+const MAX_ALIKE: usize = 3;
+
+/// The types of which those of other families are tried.
+const OTHERS: [ElementaryType; 6] = {
+    use ElementaryType::{Bool, Int, Real, String, Time, Word};
+    [Bool, Int, Word, Real, Time, String]
+};
+
+/// A PROGRAM with nothing wrong, whose statements are moved to other units too: what an engine does not take there says nothing.
+const SOUND: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
 
 /// The units that statements of a PROGRAM are moved to, with what begins them, what ends them, and what calls them.
 const UNITS: [(&str, [&str; 3]); 2] = [
@@ -26,7 +36,7 @@ const UNITS: [(&str, [&str; 3]); 2] = [
         [
             "FUNCTION_BLOCK WORK",
             "END_FUNCTION_BLOCK",
-            "VAR\n    work : WORK;\nEND_VAR\n    work();",
+            "VAR\n    work : WORK;\n    done : BOOL;\nEND_VAR\n    work();\n    done := TRUE;",
         ],
     ),
     (
@@ -69,32 +79,34 @@ impl Asking<'_> {
         let Some(known) = known.filter(|_| is_asked && is_reducible(&member.sign.symptom)) else {
             return Ok(Vec::new());
         };
-        asked.only_checks = member.sign.accepts();
         let as_shown = |program: &str| as_the_reference(known, program, &all_variables(known, program));
         let Some(own) = as_shown(&shown.program) else {
             return Ok(Vec::new());
         };
-        let codes = |case: &Case| {
-            case.expectation
-                .diagnostics
-                .iter()
-                .map(|one| one.code)
-                .collect::<Vec<_>>()
-        };
+        asked.only_checks = member.sign.accepts();
+        // No value of another unit is seen.
+        let moves = !matches!(member.sign.symptom, Symptom::Value | Symptom::Missing);
+        let sound = read(SOUND, in_other_units);
+        let mut programs = read(&shown.program, with_other_types);
+        for (moved, (_, sound)) in read(&shown.program, in_other_units).into_iter().zip(sound) {
+            if let Some(sound) = as_shown(&sound).filter(|_| moves && !stop())
+                && asked.deviation(&sound)?.is_none()
+            {
+                programs.push(moved);
+            }
+        }
         // A neighbour has the same mistakes.
         let with_case = |(neighbour, program): (Neighbour, String)| {
             let case = as_shown(&program).filter(|case| {
-                case.expectation.accepted == own.expectation.accepted
-                    && codes(case) == codes(&own)
+                let (told, wanted) = (&case.expectation, &own.expectation);
+                let codes = wanted.diagnostics.iter().map(|one| one.code);
+                told.accepted == wanted.accepted
+                    && told.diagnostics.iter().map(|one| one.code).eq(codes)
                     && (member.sign.accepts() || is_as_standard(&own, &program))
                     && !asked.uses_what_is_lacking(known, &program)
             });
             Some((neighbour, case?))
         };
-        let programs = read(&shown.program, |program| {
-            let others = with_other_types(program).into_iter();
-            others.chain(in_other_units(program)).collect::<Vec<_>>()
-        });
         let cases: Vec<(Neighbour, Case)> = programs.into_iter().filter_map(with_case).collect();
         asked.ask_ahead(cases.iter().map(|(_, case)| case), stop)?;
         let mut found = Vec::new();
@@ -102,12 +114,15 @@ impl Asking<'_> {
             if stop() {
                 return Ok(Vec::new());
             }
-            let is_same = match asked.deviation(&case)? {
-                Some(seen) if is_alike(&member.sign.symptom, &seen.sign.symptom) => true,
-                None => false,
-                // What goes wrong otherwise says nothing.
-                Some(_) => continue,
-            };
+            let place = compiler_place(&shown.got);
+            let seen = asked.deviation(&case)?;
+            let is_same = seen.as_ref().is_some_and(|seen| {
+                is_alike(&member.sign.symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
+            });
+            // What goes wrong otherwise says nothing.
+            if seen.is_some() && !is_same {
+                continue;
+            }
             found.push(Neighbour { is_same, ..neighbour });
         }
         Ok(found)
@@ -123,17 +138,18 @@ fn is_alike(one: &Symptom, other: &Symptom) -> bool {
     }
 }
 
-/// Returns a program with other types of the same kind in the place of each of its types, of which the program names none.
+/// Returns a program with other types in the place of each of its types, of which the program names none.
 fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
     let there = named_types(program.text);
     let mut found = Vec::new();
     for ty in there.iter().filter_map(|name| elementary(name)) {
-        let is_other = |other: &ElementaryType| {
-            kind(ty).is_some() && kind(*other) == kind(ty) && !there.contains(other.name())
-        };
-        let mut others: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(is_other).collect();
-        others.sort_by_key(|other| other.family() != ty.family());
-        found.extend(others.into_iter().take(MAX_TYPES).map(|other| {
+        let alike = ElementaryType::ALL
+            .into_iter()
+            .filter(|other| other.family() == ty.family());
+        let alike = alike.filter(|other| *other != ty).take(MAX_ALIKE);
+        let others = OTHERS.into_iter().filter(|other| other.family() != ty.family());
+        let others = alike.chain(others).filter(|other| !there.contains(other.name()));
+        found.extend(others.map(|other| {
             let neighbour = Neighbour {
                 replaced: format!("`{}`", ty.name()),
                 by: format!("`{}`", other.name()),
@@ -148,10 +164,9 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
 /// Returns a program with the statements of its PROGRAM in another unit, which the PROGRAM calls.
 fn in_other_units(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
     let text = program.text;
-    let is_main = |pou: &&stickler_syntax::tree::Pou<'_>| pou.kind == PouKind::Program;
     let has_name = ["work", "given", "done"].iter().any(|name| has_word(text, name));
-    let main = program.unit.pous().find(is_main).filter(|_| !has_name);
-    let Some((main, _)) = main.and_then(|main| Some((main, body(text, main)?))) else {
+    let is_moved = |pou: &&Pou<'_>| pou.kind == PouKind::Program && !pou.body.is_empty() && !has_name;
+    let Some(main) = program.unit.pous().find(is_moved) else {
         return Vec::new();
     };
     let units = UNITS.into_iter().map(|(unit, [head, end, call])| {
@@ -161,10 +176,9 @@ fn in_other_units(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
         };
         let inside = &text[main.name.span.end as usize..main.end.start as usize];
         let (before, behind) = (&text[..main.span.start as usize], &text[main.end.end as usize..]);
-        let inside = format!("{head}{}\n{end}", inside.trim_end());
-        let name = main.name.text;
-        let caller = format!("PROGRAM {name}\n{call}\nEND_PROGRAM");
-        (neighbour, format!("{before}{inside}\n\n{caller}{behind}"))
+        let (inside, name) = (inside.trim_end(), main.name.text);
+        let moved = format!("{head}{inside}\n{end}\n\nPROGRAM {name}\n{call}\nEND_PROGRAM");
+        (neighbour, format!("{before}{moved}{behind}"))
     });
     units.collect()
 }

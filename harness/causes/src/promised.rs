@@ -62,31 +62,33 @@ pub(crate) fn promise<'s>(
 
 /// The features of which a wrong value, or the size of a literal that is rejected, tells by its pattern, whatever the case was about. Table 10 has
 /// the range of each type; the types here are those that hold such numbers.
-pub(crate) const OF_PATTERNS: [(&str, &str); 15] = [
+pub(crate) const OF_PATTERNS: [(&str, &[&str]); 10] = [
     (
-        "conversion to an integer that does not bring it into its range",
         "conversion",
+        &[
+            "conversion to an integer that does not bring it into its range",
+            "conversion of a real number outside the range of its target",
+            "conversion to a date or a time of day that gives none",
+        ],
     ),
     (
-        "conversion of a real number outside the range of its target",
-        "conversion",
+        "typed-literal",
+        &[BEYOND_TYPE, "REAL literal with the bits of an LREAL"],
     ),
+    ("real", &["REAL literal that is rounded twice"]),
     (
-        "conversion to a date or a time of day that gives none",
-        "conversion",
+        "lreal",
+        &[
+            "LREAL literal with the digits of a REAL",
+            "integer of more than 64 bits",
+        ],
     ),
-    (BEYOND_TYPE, "typed-literal"),
-    ("REAL literal with the bits of an LREAL", "typed-literal"),
-    ("REAL literal that is rounded twice", "real"),
-    ("LREAL literal with the digits of a REAL", "lreal"),
-    ("integer of more than 31 bits", "lint"),
-    ("integer of more than 63 bits", "ulint"),
-    ("integer of more than 64 bits", "lreal"),
-    ("FOR loop to its first value", "for"),
-    (TO_LAST_VALUE, "for"),
-    ("initial value of a type", "type-initial-value"),
-    ("initial value of a field", "field-initial-value"),
-    (UNREAD_ESCAPES, "string-escape"),
+    ("lint", &["integer of more than 31 bits"]),
+    ("ulint", &["integer of more than 63 bits"]),
+    ("for", &["FOR loop to its first value", TO_LAST_VALUE]),
+    ("type-initial-value", &["initial value of a type"]),
+    ("field-initial-value", &["initial value of a field"]),
+    ("string-escape", &[UNREAD_ESCAPES]),
 ];
 
 /// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells,
@@ -98,13 +100,13 @@ pub(crate) fn promise_of_pattern<'s>(
     (engine, suite): (&Identity, &'s Suite),
 ) -> Option<Cow<'s, str>> {
     let mut patterns = OF_PATTERNS.iter();
-    let of_pattern = patterns.find(|(pattern, _)| constructs.contains(*pattern));
+    let of_pattern = patterns.find(|(_, patterns)| patterns.iter().any(|one| constructs.contains(*one)));
     let of_section = || {
         let alone = constructs.first().filter(|_| constructs.len() == 1)?;
         let section = alone.strip_prefix("VAR_")?;
         Some(format!("var-{}", section.to_ascii_lowercase().replace('_', "-")))
     };
-    let key = of_pattern.map(|(_, key)| (*key).to_owned()).or_else(of_section)?;
+    let key = of_pattern.map(|(key, _)| (*key).to_owned()).or_else(of_section)?;
     let feature = suite.features.get(&key)?;
     promise_of(feature, (program, case.dialect), engine, suite)
 }

@@ -277,8 +277,9 @@ fn each_pattern_that_is_promised_is_one_that_a_value_tells_and_a_feature_promise
         include_str!("value_lines.rs"),
     ]
     .concat();
-    for (pattern, key) in OF_PATTERNS {
-        assert!(named.contains(&format!("{pattern:?}")), "{pattern}");
+    for (key, patterns) in OF_PATTERNS {
+        let is_named = |pattern: &&str| named.contains(&format!("{pattern:?}"));
+        assert!(patterns.iter().all(is_named), "{patterns:?}");
         let features = stickler_suite::Features::built_in();
         assert!(
             features

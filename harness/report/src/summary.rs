@@ -149,8 +149,8 @@ fn lacks(overview: &Overview, page: &mut BoundedMarkdown) {
     );
     for lack in &overview.lacks {
         let feature = match lack.is_failing_lack() {
-            true => format!("**{}**", titled(lack)),
-            false => titled(lack),
+            true => format!("**{}**", titled(&lack.title)),
+            false => titled(&lack.title),
         };
         let (engine, said) = (inline(&lack.engine), inline(&said(lack)));
         page.add(&format!(

@@ -107,7 +107,7 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
     }
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for ((cause, _), number) in causes.iter().zip(1..) {
-        let (cases, title) = (cause.number(), headline(cause));
+        let (cases, title) = (cause.number(), titled(&cause.headline()));
         let _ = writeln!(
             text,
             "| {cases} | [{title}]({}) | {} |",
@@ -118,9 +118,9 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
     text
 }
 
-/// Returns the title of a cause, whose pieces of programs stand in backquotes.
-pub(crate) fn titled(cause: &Cause) -> String {
-    let pieces = cause.title.split('`').enumerate();
+/// Returns the title or the heading of a cause, whose pieces of programs stand in backquotes.
+pub(crate) fn titled(title: &str) -> String {
+    let pieces = title.split('`').enumerate();
     let shown = pieces.map(|(at, piece)| match at % 2 {
         0 => inline(piece),
         _ => code(piece),
@@ -128,14 +128,9 @@ pub(crate) fn titled(cause: &Cause) -> String {
     shown.collect()
 }
 
-/// Returns the heading of a page, behind the name of the compiler.
-fn headline(cause: &Cause) -> String {
-    format!("{}{}", cause.verb(), titled(cause))
-}
-
 /// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
 pub(super) fn file(number: usize, cause: &Cause) -> String {
-    let title = cause.headline();
+    let title = format!("{}{}", cause.verb(), cause.title);
     let words = title.split(|character: char| !character.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     let mut name = words.join("-");
@@ -151,7 +146,7 @@ pub(crate) fn page(
     overview: &Overview,
 ) -> String {
     let shown = &cause.shown;
-    let mut text = format!("# {}: {}\n\n", called(name, about), headline(cause));
+    let mut text = format!("# {}: {}\n\n", called(name, about), titled(&cause.headline()));
     if let Some(case) = case {
         let _ = write!(text, "{}.\n\n", inline(&case.title));
     }

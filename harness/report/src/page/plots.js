@@ -184,7 +184,7 @@ function statusOfPoint(known, view, point) {
 function statedWords(known, view, point) {
   const names = systemNames(statedFor(known, view, point));
   if (statusOfPoint(known, view, point) === "stated") return "";
-  return names.length === 0 ? " (chosen)" : ` (stated for ${names.length > 3 ? `${names.slice(0, 2).join(", ")} and ${names.length - 2} more` : names.join(", ")})`;
+  return names.length === 0 ? " (chosen)" : ` (stated for ${names.length > 3 ? `${names.slice(0, 2).join(" · ")} and ${names.length - 2} more` : names.join(" · ")})`;
 }
 
 /** Returns for how many of the systems that count a source states a rule by which the result of a point comes, and not only single results. */

@@ -88,14 +88,6 @@ impl Reproducer {
         (!told.is_empty()).then(|| told.join(" "))
     }
 
-    /// Returns the words by which a title says that no neighbour deviates; empty where some do, or the engine was asked about none.
-    #[must_use]
-    pub fn limits(&self) -> String {
-        let other = self.neighbours_in_words(false);
-        let other = other.filter(|_| self.neighbours.iter().all(|one| !one.is_same));
-        other.map_or(String::new(), |words| format!(", but not {words}"))
-    }
-
     fn neighbours_in_words(&self, is_same: bool) -> Option<String> {
         let mut groups: Vec<(&str, Vec<&str>)> = Vec::new();
         for one in self.neighbours.iter().filter(|one| one.is_same == is_same) {
@@ -189,10 +181,12 @@ impl Cause {
         !self.lacked_in.is_empty()
     }
 
-    /// Returns the cause as a heading behind the name of the engine.
+    /// Returns the cause as a heading behind the name of the engine, with the neighbours of its program that do not deviate.
     #[must_use]
     pub fn headline(&self) -> String {
-        format!("{}{}{}", self.verb(), self.title, self.shown.limits())
+        let other = self.shown.neighbours_in_words(false);
+        let limits = other.map_or(String::new(), |words| format!(", but not {words}"));
+        format!("{}{}{limits}", self.verb(), self.title)
     }
 
     /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or gives no answer, or does not have it.
