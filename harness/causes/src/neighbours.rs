@@ -6,12 +6,12 @@ use crate::find::Asking;
 use crate::forms::{named_types, with_types};
 use crate::growing_cause::GrowingCause;
 use crate::program::{ReadProgram, read};
-use crate::question::Questioner;
+use crate::question::{Judged, Questioner};
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
 use crate::words::{elementary, has_word};
 use stickler_engines::EngineError;
-use stickler_run::{Neighbour, Reduced, RunError, Symptom};
+use stickler_run::{Fact, Neighbour, Reduced, RunError, Symptom};
 use stickler_suite::Case;
 use stickler_syntax::tree::{Pou, PouKind};
 use stickler_types::ElementaryType;
@@ -73,10 +73,10 @@ impl Asking<'_> {
         member: &GrowingCause,
         stop: &dyn Fn() -> bool,
     ) -> Result<Vec<Neighbour>, EngineError> {
-        let (cause, shown) = (&member.cause, &member.cause.shown);
+        let (cause, shown, symptom) = (&member.cause, &member.cause.shown, &member.sign.symptom);
         let is_asked = cause.reduction == Reduced::Smallest && cause.flaky.is_none();
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
-        let Some(known) = known.filter(|_| is_asked && is_reducible(&member.sign.symptom)) else {
+        let Some(known) = known.filter(|_| is_asked && is_reducible(symptom)) else {
             return Ok(Vec::new());
         };
         let as_shown = |program: &str| as_the_reference(known, program, &all_variables(known, program));
@@ -85,7 +85,7 @@ impl Asking<'_> {
         };
         asked.only_checks = member.sign.accepts();
         // No value of another unit is seen.
-        let moves = !matches!(member.sign.symptom, Symptom::Value | Symptom::Missing);
+        let moves = !matches!(symptom, Symptom::Value | Symptom::Missing);
         let sound = read(SOUND, in_other_units);
         let mut programs = read(&shown.program, with_other_types);
         for (moved, (_, sound)) in read(&shown.program, in_other_units).into_iter().zip(sound) {
@@ -110,23 +110,26 @@ impl Asking<'_> {
         let cases: Vec<(Neighbour, Case)> = programs.into_iter().filter_map(with_case).collect();
         asked.ask_ahead(cases.iter().map(|(_, case)| case), stop)?;
         let mut found = Vec::new();
-        for (neighbour, case) in cases {
-            if stop() {
-                return Ok(Vec::new());
-            }
+        for (neighbour, case) in cases.into_iter().take_while(|_| !stop()) {
             let place = compiler_place(&shown.got);
             let seen = asked.deviation(&case)?;
             let is_same = seen.as_ref().is_some_and(|seen| {
-                is_alike(&member.sign.symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
+                is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
             });
-            // What goes wrong otherwise says nothing.
-            if seen.is_some() && !is_same {
-                continue;
+            // What goes wrong otherwise, or is not supported, says nothing.
+            let is_right = seen.is_none() && asked.again(&case, (symptom, 1), stop)?.iter().all(is_supported);
+            if is_same || is_right {
+                found.push(Neighbour { is_same, ..neighbour });
             }
-            found.push(Neighbour { is_same, ..neighbour });
         }
         Ok(found)
     }
+}
+
+/// Returns whether an engine took a program as one of its language.
+fn is_supported((got, _): &Judged) -> bool {
+    let is_lack = |fact: &Fact| matches!(fact, Fact::Unsupported { .. } | Fact::NotImplemented { .. });
+    !got.iter().any(is_lack)
 }
 
 /// Returns whether an engine deviates in one way, whatever words it says it in.
