@@ -1,5 +1,4 @@
-//! Asks about the neighbours of a shown program: the same with another type, or in another unit. They say how far a cause goes, which its heading
-//! says where it goes no further.
+//! Asks about the neighbours of a shown program: the same with another type, or in another unit. They say how far a cause goes.
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
@@ -84,12 +83,11 @@ impl Asking<'_> {
             return Ok(Vec::new());
         };
         asked.only_checks = member.sign.accepts();
-        // No value of another unit is seen.
-        let moves = !matches!(symptom, Symptom::Value | Symptom::Missing);
+        let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
         let sound = read(SOUND, in_other_units);
         let mut programs = read(&shown.program, with_other_types);
         for (moved, (_, sound)) in read(&shown.program, in_other_units).into_iter().zip(sound) {
-            if let Some(sound) = as_shown(&sound).filter(|_| moves && !stop())
+            if let Some(sound) = as_shown(&sound).filter(|_| !is_value && !stop())
                 && asked.deviation(&sound)?.is_none()
             {
                 programs.push(moved);
@@ -116,8 +114,10 @@ impl Asking<'_> {
             let is_same = seen.as_ref().is_some_and(|seen| {
                 is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
             });
-            // What goes wrong otherwise, or is not supported, says nothing.
-            let is_right = seen.is_none() && asked.again(&case, (symptom, 1), stop)?.iter().all(is_supported);
+            // What goes wrong otherwise, or is not supported, says nothing; a value that is right in another type may only be less far from its
+            // limits, and another unit has defects of its own.
+            let tells = !is_value && !neighbour.replaced.is_empty() && seen.is_none();
+            let is_right = tells && asked.again(&case, (symptom, 1), stop)?.iter().all(is_supported);
             if is_same || is_right {
                 found.push(Neighbour { is_same, ..neighbour });
             }

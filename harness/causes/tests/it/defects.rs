@@ -213,7 +213,6 @@ fn property(found: &Cause, key: &str) -> String {
         "expected" => facts(&shown.expected),
         "got" => facts(&shown.got),
         "derived" => shown.is_derived.to_string(),
-        "headline" => found.headline(),
         "neighbours" => shown.neighbours_told().unwrap_or_default(),
         "printed" => shown.printed.trim().to_owned(),
         "reduction" => format!("{:?}", found.reduction),

@@ -130,7 +130,7 @@ pub(crate) fn titled(title: &str) -> String {
 
 /// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
 pub(super) fn file(number: usize, cause: &Cause) -> String {
-    let title = format!("{}{}", cause.verb(), cause.title);
+    let title = cause.headline();
     let words = title.split(|character: char| !character.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     let mut name = words.join("-");

@@ -181,12 +181,10 @@ impl Cause {
         !self.lacked_in.is_empty()
     }
 
-    /// Returns the cause as a heading behind the name of the engine, with the neighbours of its program that do not deviate.
+    /// Returns the cause as a heading behind the name of the engine.
     #[must_use]
     pub fn headline(&self) -> String {
-        let other = self.shown.neighbours_in_words(false);
-        let limits = other.map_or(String::new(), |words| format!(", but not {words}"));
-        format!("{}{}{limits}", self.verb(), self.title)
+        format!("{}{}", self.verb(), self.title)
     }
 
     /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or gives no answer, or does not have it.
