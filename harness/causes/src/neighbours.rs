@@ -108,8 +108,8 @@ impl Asking<'_> {
         let cases: Vec<(Neighbour, Case)> = programs.into_iter().filter_map(with_case).collect();
         asked.ask_ahead(cases.iter().map(|(_, case)| case), stop)?;
         let mut found = Vec::new();
+        let place = compiler_place(&shown.got);
         for (neighbour, case) in cases.into_iter().take_while(|_| !stop()) {
-            let place = compiler_place(&shown.got);
             let seen = asked.deviation(&case)?;
             let is_same = seen.as_ref().is_some_and(|seen| {
                 is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place

@@ -81,7 +81,7 @@ fn cause_data(cause: &Cause, overview: &Overview) -> Value {
     let engine = overview.engine(&cause.engine);
     json!({
         "engine": cause.engine,
-        "title": cause.headline(),
+        "title": cause.title,
         // Whether no case of it contradicts a source that binds the engine.
         "differs": cause.differs(),
         "number": cause.number(),

@@ -63,7 +63,7 @@ pub struct Reproducer {
     /// Whether the program does other things than the case, so that the claim led to it but says nothing of it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_derived: bool,
-    /// What the engine does with programs that differ from this one in one respect.
+    /// The programs that differ from this one in one respect, and whether the engine deviates with each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub neighbours: Vec<Neighbour>,
     /// The files and commands by which a person sees it without Stickler; `None` where the engine has no tools of its own.
@@ -112,7 +112,7 @@ pub struct Neighbour {
     /// The elementary type in whose place another stands; empty where the statements stand in another unit.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub replaced: String,
-    /// The other type or unit, as a page writes it: `` `DINT` ``, `a FUNCTION_BLOCK`.
+    /// The type that stands there, or the unit, as a page writes it: `` `DINT` ``, `a FUNCTION_BLOCK`.
     pub by: String,
     /// Whether the engine deviates in the same way; otherwise it does what it must.
     pub is_same: bool,
