@@ -6,8 +6,10 @@
 
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
-use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{DERIVED, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
+use crate::line_features::{
+    DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine,
+};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{BY_PLACE, NUMBERS_PLACELESS, Normal};
@@ -33,6 +35,11 @@ const LITERAL_WITHOUT_PLACE: &str = "no place number";
 
 /// The feature of a literal that its own type does not hold.
 pub(crate) const BEYOND_TYPE: &str = "typed literal beyond its type";
+
+/// The words about variables with fields or elements that a compiler has in a PROGRAM only.
+const PARTS_IN_OTHER_UNIT: &str = "variable with fields or elements in a FUNCTION or FUNCTION_BLOCK";
+/// The features of variables that have fields or elements.
+const WITH_PARTS: [&str; 3] = ["array", "array of structures", "structure"];
 
 /// The features of a mistake of which the value is computed.
 const COMPUTING: [&str; 2] = ["operator", "conversion function"];
@@ -126,7 +133,9 @@ impl Essence {
         }
         Essence {
             symptom: named(&symptom),
-            pattern: pattern.or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal")),
+            pattern: pattern
+                .or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal"))
+                .or(symptom.ends_with(IN_OTHER_UNIT).then_some(PARTS_IN_OTHER_UNIT)),
             constructs: features,
             labels,
             is_contained,
@@ -239,6 +248,10 @@ fn needs(
             // What is missing at one place of a compiler is put right there, whatever needs it.
             let mut features = line.of_missing(&normal.deviation.got);
             if let Some(place) = compiler_place(&normal.deviation.got) {
+                // A FUNCTION or a block that has no variables with parts has none whichever part is asked for.
+                if features.remove(IN_OTHER_UNIT) && features.iter().any(|one| WITH_PARTS.contains(&&**one)) {
+                    return (format!("not implemented {IN_OTHER_UNIT}"), BTreeSet::new(), false);
+                }
                 // A block has its variables elsewhere than the unit has its own.
                 features.retain(|feature| feature == INSTANCE && !line.calls_instance());
                 return (format!("not implemented at {place}"), features, false);
@@ -249,9 +262,10 @@ fn needs(
             // The kind of value does not matter for what else is said.
             let mut features = line.of_mistake(false);
             // A literal that is too large to be read is that in every place.
+            features.remove("operator");
             if code == Code::ConstantOverflow.as_str() && is_of_reading(reported) {
                 features = words(["literal"]);
-            } else if features.remove(LITERAL) {
+            } else if features.remove(LITERAL) || features.is_empty() {
                 features.insert(line.place().to_owned());
             }
             (format!("{code} as {reported}"), features, false)
@@ -276,9 +290,9 @@ fn needs(
         Symptom::FaultLine(_) if matches!(normal.deviation.got[..], [Fact::Fault { line: None, .. }, ..]) => {
             ("fault without a line".to_owned(), BTreeSet::new(), false)
         }
-        Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
-            (symptom, line.of_fault(), false)
-        }
+        // What is not checked when a program runs is not checked, whatever the program does.
+        Symptom::NotFaulted(_) => (symptom, BTreeSet::new(), false),
+        Symptom::Fault(_) | Symptom::FaultLine(_) => (symptom, line.of_fault(), false),
         Symptom::Hang => (symptom, line.loops(), false),
         Symptom::Crash(words) | Symptom::Unusable(words) => {
             let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
@@ -312,6 +326,10 @@ fn needs(
         Symptom::NoPlace(_) if normal.way.is_some_and(|way| way != NUMBERS_PLACELESS) => {
             ("no place".to_owned(), BTreeSet::new(), false)
         }
+        // What is told once more without a place is what has lost its place elsewhere.
+        Symptom::Surplus(reported) if has_lost_place(&normal.deviation.got) => {
+            (format!("no place {reported}"), line.partial_accesses(), false)
+        }
         // What is wrong with a number has the place of the number.
         Symptom::NoPlace(code) => {
             let of_number = [
@@ -327,7 +345,9 @@ fn needs(
             (symptom, line.partial_accesses(), false)
         }
         Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
-        Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
+        // What ends at one mistake says nothing of others, whatever they are.
+        Symptom::Incomplete(_) => ("incomplete".to_owned(), BTreeSet::new(), false),
+        Symptom::OtherLine(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
 }
@@ -464,20 +484,11 @@ fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, 
     }
 }
 
-/// Returns the symptom of a rejection, whichever elementary types and names of the program its reason has.
+/// Returns the symptom of a rejection, whichever elementary types and names of the program its reason has. A name with a digit is none of its
+/// words already.
 fn rejected(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> String {
-    let part = |part| match elementary(part) {
-        Some(_) => "type",
-        None if line.names(part) => "name",
-        None => part,
-    };
-    let reason: Vec<&str> = reason
-        .split_inclusive([' ', '_'])
-        .flat_map(|word| {
-            let end = word.len() - usize::from(word.ends_with([' ', '_']));
-            [part(&word[..end]), &word[end..]]
-        })
-        .collect();
-    let reason = reason.concat();
-    format!("rejected {reason} {at}")
+    let parts = reason.split([' ', '_']).filter(|part| !line.names(part));
+    let parts = parts.map(|part| elementary(part).map_or(part, |_| "type"));
+    let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    format!("rejected {} {at}", parts.join(" "))
 }

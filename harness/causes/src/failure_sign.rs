@@ -261,3 +261,9 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
         shape(reported, KeptTypes::Equal)
     )
 }
+
+/// Returns whether a diagnostic has no line.
+pub(crate) fn has_lost_place(got: &[Fact]) -> bool {
+    let mut reported = got.iter().filter_map(Fact::diagnostic);
+    reported.any(|one| one.line.is_none())
+}

@@ -276,11 +276,15 @@ impl Asking<'_> {
         let work = |asked: &mut Questioner<'_>, (sign, event): (&Sign, &CaseEvent)| {
             let case = self.cases.get(&(event.id.clone(), event.dialect.clone()));
             match case {
-                Some(case) if tries > 0 && !(self.stop)() => {
+                Some(&case) if tries > 0 && !(self.stop)() => {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
                     let died = sign;
                     asked.only_checks = false;
+                    let one_scan = asked.in_one_scan((case, event), died)?;
+                    let (case, event) = one_scan
+                        .as_ref()
+                        .map_or((case, event), |(case, event)| (case, event));
                     let sign = asked.sign(case, died)?;
                     asked.only_checks = sign.accepts() && sign != *died;
                     let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;

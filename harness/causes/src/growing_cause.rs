@@ -4,7 +4,7 @@ use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
-use crate::failure_sign::{Sign, is_unread};
+use crate::failure_sign::{Sign, has_lost_place, is_unread};
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
 use crate::program::read;
@@ -362,12 +362,6 @@ fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<Str
         _ => return None,
     };
     sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))
-}
-
-/// Returns whether a diagnostic has no line.
-fn has_lost_place(got: &[Fact]) -> bool {
-    let mut reported = got.iter().filter_map(Fact::diagnostic);
-    reported.any(|one| one.line.is_none())
 }
 
 /// Returns the rank of a claim among those that a cause contradicts: what the makers of the engine say themselves comes first,

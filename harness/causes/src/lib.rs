@@ -3,11 +3,12 @@
 //! | step | done by |
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`]; `failure_sign`, `shape` |
+//! | a program of several scans becomes one that does the same in one | `scans` |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `guard`, `question`; `reduced_group` |
 //! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `beginning_block`, `forms`, `plainness` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `line_features`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; where only a plainer program shows the cause, the document that promises its construct is cited | `claim`, `promised` |
-//! | the engine is asked how far the cause goes: with other types, and in other units | `neighbours` |
+//! | the engine is asked how far the cause goes: with other types, and with other numbers | `neighbours` |
 //! | the files and commands of a cause, and what they print, are those of its program | `reproduce` |
 //! | the title is what the engine does, and the line at fault with what is wrong with it | `title`, `lines`, `suspect`, `value_lines` |
 //!
@@ -60,6 +61,7 @@ mod question;
 mod reduced_group;
 mod reduction;
 mod reproduce;
+mod scans;
 mod shape;
 mod smaller_case;
 mod smaller_programs;

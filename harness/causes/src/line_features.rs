@@ -53,6 +53,8 @@ pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEME
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
 
+/// The feature of something not implemented that stands in another unit than a PROGRAM.
+pub(crate) const IN_OTHER_UNIT: &str = "function or function block";
 /// The feature of something not implemented with an instance.
 pub(crate) const INSTANCE: &str = "instance of a function block";
 /// The feature of a mistake with a whole array, a structure or an enumeration.
@@ -268,7 +270,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             };
         }
         match unit_of(self.program, line) {
-            Some(_) => features.extend(["function or function block".to_owned()]),
+            Some(_) => features.extend([IN_OTHER_UNIT.to_owned()]),
             None => features.extend(operations.into_iter().filter(|one| one == "bit access")),
         }
         features

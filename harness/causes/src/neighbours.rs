@@ -1,18 +1,20 @@
-//! Asks about the neighbours of a shown program: the same with another type, or in another unit. They say how far a cause goes.
+//! Asks about the neighbours of a shown program: the same with another type, or another number. They say how far a cause goes.
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
 use crate::forms::{named_types, with_types};
 use crate::growing_cause::GrowingCause;
-use crate::program::{ReadProgram, read};
-use crate::question::{Judged, Questioner};
+use crate::malformed::number_of_literal;
+use crate::program::{Program, ReadProgram, read};
+use crate::question::Questioner;
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::words::{elementary, has_word};
+use crate::words::elementary;
 use stickler_engines::EngineError;
-use stickler_run::{Fact, Neighbour, Reduced, RunError, Symptom};
+use stickler_run::{Neighbour, RunError, Symptom};
 use stickler_suite::Case;
-use stickler_syntax::tree::{Pou, PouKind};
+use stickler_syntax::Edits;
+use stickler_syntax::source::Span;
 use stickler_types::ElementaryType;
 use stickler_workers::WorkerPool;
 
@@ -25,28 +27,15 @@ const OTHERS: [ElementaryType; 6] = {
     [Bool, Int, Word, Real, Time, String]
 };
 
-/// A PROGRAM with nothing wrong, whose statements are moved to other units too: what an engine does not take there says nothing.
-const SOUND: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
+/// The numbers of bits at whose limits a compiler may do otherwise.
+const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
 
-/// The units that statements of a PROGRAM are moved to, with what begins them, what ends them, and what calls them.
-const UNITS: [(&str, [&str; 3]); 2] = [
-    (
-        "a FUNCTION_BLOCK",
-        [
-            "FUNCTION_BLOCK WORK",
-            "END_FUNCTION_BLOCK",
-            "VAR\n    work : WORK;\n    done : BOOL;\nEND_VAR\n    work();\n    done := TRUE;",
-        ],
-    ),
-    (
-        "a FUNCTION",
-        [
-            "FUNCTION WORK : BOOL\nVAR_INPUT\n    given : BOOL;\nEND_VAR",
-            "    WORK := given;\nEND_FUNCTION",
-            "VAR\n    done : BOOL;\nEND_VAR\n    done := WORK(given := TRUE);",
-        ],
-    ),
-];
+/// A number of a program, and plainer ones that may stand in its place, the plainest first.
+struct Number<'s> {
+    span: Span,
+    text: &'s str,
+    plainer: Vec<String>,
+}
 
 impl Asking<'_> {
     /// Asks about the neighbours of each program that was made small. `stop` is asked before each.
@@ -73,7 +62,7 @@ impl Asking<'_> {
         stop: &dyn Fn() -> bool,
     ) -> Result<Vec<Neighbour>, EngineError> {
         let (cause, shown, symptom) = (&member.cause, &member.cause.shown, &member.sign.symptom);
-        let is_asked = cause.reduction == Reduced::Smallest && cause.flaky.is_none();
+        let is_asked = !cause.is_partly_reduced() && cause.flaky.is_none();
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
         let Some(known) = known.filter(|_| is_asked && is_reducible(symptom)) else {
             return Ok(Vec::new());
@@ -84,52 +73,81 @@ impl Asking<'_> {
         };
         asked.only_checks = member.sign.accepts();
         let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
-        let sound = read(SOUND, in_other_units);
-        let mut programs = read(&shown.program, with_other_types);
-        for (moved, (_, sound)) in read(&shown.program, in_other_units).into_iter().zip(sound) {
-            if let Some(sound) = as_shown(&sound).filter(|_| !is_value && !stop())
-                && asked.deviation(&sound)?.is_none()
-            {
-                programs.push(moved);
-            }
-        }
         // A neighbour has the same mistakes.
-        let with_case = |(neighbour, program): (Neighbour, String)| {
-            let case = as_shown(&program).filter(|case| {
+        let with_case = |program: &str| {
+            as_shown(program).filter(|case| {
                 let (told, wanted) = (&case.expectation, &own.expectation);
                 let codes = wanted.diagnostics.iter().map(|one| one.code);
                 told.accepted == wanted.accepted
                     && told.diagnostics.iter().map(|one| one.code).eq(codes)
-                    && (member.sign.accepts() || is_as_standard(&own, &program))
-                    && !asked.uses_what_is_lacking(known, &program)
-            });
-            Some((neighbour, case?))
+                    && (member.sign.accepts() || is_as_standard(&own, program))
+                    && !asked.uses_what_is_lacking(known, program)
+            })
         };
-        let cases: Vec<(Neighbour, Case)> = programs.into_iter().filter_map(with_case).collect();
-        asked.ask_ahead(cases.iter().map(|(_, case)| case), stop)?;
-        let mut found = Vec::new();
-        let place = compiler_place(&shown.got);
-        for (neighbour, case) in cases.into_iter().take_while(|_| !stop()) {
-            let seen = asked.deviation(&case)?;
-            let is_same = seen.as_ref().is_some_and(|seen| {
-                is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
+        let types = read(&shown.program, with_other_types).into_iter();
+        let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
+        let types: Vec<(Neighbour, Case)> = types.collect();
+        let program = Program::new(&shown.program);
+        let numbers = numbers(&program.read()).into_iter().map(|number| {
+            let plainer = number.plainer.iter().map(|by| {
+                let program = Edits::replacing(number.span, by.as_str()).apply(&shown.program);
+                Some((format!("`{by}`"), with_case(&program)?))
             });
-            // What goes wrong otherwise, or is not supported, says nothing; a value that is right in another type may only be less far from its
-            // limits, and another unit has defects of its own.
-            let tells = !is_value && !neighbour.replaced.is_empty() && seen.is_none();
-            let is_right = tells && asked.again(&case, (symptom, 1), stop)?.iter().all(is_supported);
-            if is_same || is_right {
-                found.push(Neighbour { is_same, ..neighbour });
+            (format!("`{}`", number.text), plainer.flatten().collect())
+        });
+        let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
+        asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
+        let place = compiler_place(&shown.got);
+        // What goes wrong otherwise says nothing.
+        let mut is_same = |case: &Case| {
+            let seen = if stop() {
+                return Ok(None);
+            } else {
+                asked.deviation(case)?
+            };
+            Ok::<_, EngineError>(match seen {
+                None => Some(false),
+                Some(seen) => {
+                    let is_same = is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place;
+                    is_same.then_some(true)
+                }
+            })
+        };
+        let mut found = Vec::new();
+        for (neighbour, case) in types {
+            match is_same(&case)? {
+                Some(true) => found.push(neighbour),
+                // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
+                Some(false) if !is_value && !member.sign.accepts() => found.push(Neighbour {
+                    is_same: false,
+                    ..neighbour
+                }),
+                _ => {}
             }
+        }
+        for (replaced, plainer) in numbers {
+            let (mut right, mut wrong) = (None, plainer.len());
+            // The plainest first, and then between what is right and what is not.
+            let mut at = 0;
+            while at < wrong {
+                match is_same(&plainer[at].1)? {
+                    Some(false) => right = Some(at),
+                    Some(true) => wrong = at,
+                    None => break,
+                }
+                let next = right.map_or(wrong, |right| right + 1);
+                at = next + (wrong - next) / 2;
+            }
+            let told = right.map(|right| (right, false)).into_iter();
+            let told = told.chain((right.is_some() && wrong < plainer.len()).then_some((wrong, true)));
+            found.extend(told.map(|(at, is_same)| Neighbour {
+                replaced: replaced.clone(),
+                by: plainer[at].0.clone(),
+                is_same,
+            }));
         }
         Ok(found)
     }
-}
-
-/// Returns whether an engine took a program as one of its language.
-fn is_supported((got, _): &Judged) -> bool {
-    let is_lack = |fact: &Fact| matches!(fact, Fact::Unsupported { .. } | Fact::NotImplemented { .. });
-    !got.iter().any(is_lack)
 }
 
 /// Returns whether an engine deviates in one way, whatever words it says it in.
@@ -156,7 +174,7 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
             let neighbour = Neighbour {
                 replaced: format!("`{}`", ty.name()),
                 by: format!("`{}`", other.name()),
-                is_same: false,
+                is_same: true,
             };
             (neighbour, with_types(program.text, &[(ty.name(), other.name())]))
         }));
@@ -164,24 +182,46 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
     found
 }
 
-/// Returns a program with the statements of its PROGRAM in another unit, which the PROGRAM calls.
-fn in_other_units(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
-    let text = program.text;
-    let has_name = ["work", "given", "done"].iter().any(|name| has_word(text, name));
-    let is_moved = |pou: &&Pou<'_>| pou.kind == PouKind::Program && !pou.body.is_empty() && !has_name;
-    let Some(main) = program.unit.pous().find(is_moved) else {
+/// Returns the numbers of a program for which plainer ones may stand: other digits of a location, an integer written in capitals, and
+/// smaller integers with the same type and base, up to the limits of some sizes.
+fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<Number<'s>> {
+    let literals = program.literals().filter_map(|(part, text)| {
+        let plainer = match text.to_ascii_uppercase() {
+            capitals if capitals != text && number_of_literal(text).is_some() => vec![capitals],
+            _ => smaller(text),
+        };
+        Some((part.expression.span, text, plainer))
+    });
+    let groups = program.names.iter().filter_map(|one| one.group?.location);
+    let locations = groups.map(|place| {
+        let letters = place.text.trim_end_matches(|sign: char| sign.is_ascii_digit());
+        (place.span, place.text, vec![format!("{letters}1")])
+    });
+    let all = literals.chain(locations).map(|(span, text, plainer)| Number {
+        span,
+        text,
+        plainer: plainer.into_iter().filter(|by| by != text).collect(),
+    });
+    all.filter(|number| !number.plainer.is_empty()).collect()
+}
+
+/// Returns 1 and the numbers at the limits of some sizes, of those that are nearer to zero than an integer literal, as it is written.
+fn smaller(text: &str) -> Vec<String> {
+    let Some(number) = number_of_literal(text) else {
         return Vec::new();
     };
-    let units = UNITS.into_iter().map(|(unit, [head, end, call])| {
-        let neighbour = Neighbour {
-            by: unit.to_owned(),
-            ..Neighbour::default()
-        };
-        let inside = &text[main.name.span.end as usize..main.end.start as usize];
-        let (before, behind) = (&text[..main.span.start as usize], &text[main.end.end as usize..]);
-        let (inside, name) = (inside.trim_end(), main.name.text);
-        let moved = format!("{head}{inside}\n{end}\n\nPROGRAM {name}\n{call}\nEND_PROGRAM");
-        (neighbour, format!("{before}{moved}{behind}"))
+    let limits = BITS.iter().flat_map(|bits| [(1 << bits) - 1, 1 << bits]);
+    let nearer = [1]
+        .into_iter()
+        .chain(limits)
+        .filter(|limit: &i128| *limit < number.abs());
+    let prefix = text.rfind('#').map_or("", |at| &text[..=at]);
+    let sign = if number < 0 { "-" } else { "" };
+    let written = nearer.map(|limit| match prefix {
+        _ if prefix.ends_with("16#") => format!("{prefix}{limit:X}"),
+        _ if prefix.ends_with("8#") => format!("{prefix}{limit:o}"),
+        _ if prefix.ends_with("2#") => format!("{prefix}{limit:b}"),
+        _ => format!("{prefix}{sign}{limit}"),
     });
-    units.collect()
+    written.collect()
 }

@@ -16,8 +16,7 @@ const MAX_VARIABLES: usize = 1000;
 /// Returns the case with another program in its place, made from its own by changes that keep the deviation `sign`. `None`
 /// where the program must do something else than the case's own, so that the document of the case says nothing of it.
 ///
-/// Of the variables that the case writes before scans those are written that the program has. Where there is none, and it is no value that
-/// deviates, one scan shows it.
+/// Of the variables that the case writes before scans those are written that the program has.
 pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Case> {
     let observe = known(case, program);
     let names = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
@@ -25,23 +24,9 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         let set = setting.name.split(['.', '[']).next().unwrap_or_default();
         names.iter().any(|name| name.eq_ignore_ascii_case(set))
     };
-    let set: Arc<[Setting]> = case.set.iter().filter(has).cloned().collect();
-    let computes = matches!(
-        sign.symptom,
-        Symptom::Value
-            | Symptom::Missing
-            | Symptom::OtherType
-            | Symptom::FaultLine(_)
-            | Symptom::NotFaulted(_)
-    );
-    let case = &match set.is_empty() && !case.set.is_empty() && !computes {
-        true => Case {
-            scans: 1,
-            clock: Arc::default(),
-            set,
-            ..case.clone()
-        },
-        false => Case { set, ..case.clone() },
+    let case = &Case {
+        set: case.set.iter().filter(has).cloned().collect(),
+        ..case.clone()
     };
     let request = RunRequest {
         source: program,
@@ -175,6 +160,8 @@ pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
     let alone = || as_the_reference(case, program, &all_variables(case, program));
     let kept = match sign.symptom {
         Symptom::Value | Symptom::Missing if shown.is_derived => None,
+        // What is no value comes with the program alone, where that has one scan.
+        _ if !case.set.is_empty() => alone().or_else(|| with_program(case, sign, program)),
         _ => with_program(case, sign, program),
     };
     // What is measured of a text stands in a variable that the case does not have.

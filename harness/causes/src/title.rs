@@ -8,7 +8,7 @@ use crate::patterns::is_no_moment;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{LOOPS, has_word, tokens};
+use crate::words::{LOOPS, has_word, tokens, words};
 use crate::work::operations;
 use stickler_engines::OTHER_TYPE;
 use stickler_reference::errors;
@@ -294,8 +294,13 @@ impl Titled<'_, '_> {
                 false => around.or_else(|| self.program.loop_in_callee(line)),
             }
         };
+        // An output that a line copies is computed by the call of its instance.
+        let call = computed.and_then(|line| call_of_copied(&self.program, line));
+        let name = call.map_or(name.as_str(), |(_, output)| output);
         let decides = computed.map_or(Some(declared), |line| {
-            condition(&self.program, line).or_else(|| loops(line))
+            let call = call.map(|(line, _)| line);
+            call.or_else(|| condition(&self.program, line))
+                .or_else(|| loops(line))
         });
         match (decides, computed) {
             // A line computes the value: the title tells what it gives, if it names what has the value.
@@ -309,6 +314,20 @@ impl Titled<'_, '_> {
             ),
         }
     }
+}
+
+/// Returns the last line that calls an instance before another line copies an output of it, with that output.
+fn call_of_copied<'s>(program: &ReadProgram<'_, 's>, line: u32) -> Option<(u32, &'s str)> {
+    let (_, output) = program.line_text(line)?.split_once(":=")?;
+    let output = output.trim().trim_end_matches(';');
+    let [instance, ".", _] = words(output)[..] else {
+        return None;
+    };
+    let calls =
+        |text: &str| matches!(words(text)[..], [name, "(", ..] if name.eq_ignore_ascii_case(instance));
+    let before = program.text.lines().zip(1..line);
+    let call = before.filter(|(text, _)| calls(text)).last()?;
+    Some((call.1, output))
 }
 
 /// Returns what a program does that stops with a fault, in the words of the engine.

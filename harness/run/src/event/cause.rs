@@ -96,10 +96,8 @@ impl Reproducer {
                 _ => groups.push((&one.replaced, vec![&one.by])),
             }
         }
-        let words = groups.into_iter().map(|(replaced, by)| match replaced {
-            "" => format!("in {}", joined(&by, "or")),
-            _ => format!("with {} in the place of {replaced}", joined(&by, "or")),
-        });
+        let words = groups.into_iter();
+        let words = words.map(|(replaced, by)| format!("with {} in the place of {replaced}", joined(&by, "or")));
         let words: Vec<String> = words.collect();
         (!words.is_empty()).then(|| joined(&words, "or"))
     }
@@ -109,10 +107,9 @@ impl Reproducer {
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Neighbour {
-    /// The elementary type in whose place another stands; empty where the statements stand in another unit.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
+    /// The elementary type, the integer literal or the location in whose place another stands, as a page writes it: `` `INT` ``, `` `%MW10` ``.
     pub replaced: String,
-    /// The type that stands there, or the unit, as a page writes it: `` `DINT` ``, `a FUNCTION_BLOCK`.
+    /// What stands there.
     pub by: String,
     /// Whether the engine deviates in the same way; otherwise it does what it must.
     pub is_same: bool,

@@ -1,0 +1,98 @@
+//! Runs a program in one scan that a case runs in several: its body stands once for each scan, behind assignments of what the case writes
+//! before it. What a page shows needs no counting of scans then.
+
+use crate::failure_sign::Sign;
+use crate::forms::body;
+use crate::program::read;
+use crate::question::{Questioner, wrong_values};
+use crate::reduction::LONG;
+use crate::smaller_case::as_the_reference;
+use crate::words::has_word;
+use std::fmt::Write;
+use stickler_engines::EngineError;
+use stickler_run::{CaseEvent, Symptom};
+use stickler_suite::Case;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::PouKind;
+use stickler_types::{Observation, Value};
+
+impl Questioner<'_> {
+    /// Returns a case of several scans as one of a single scan, with what the run saw of it; `None` where it needs a clock, or the engine does
+    /// not deviate in the same way.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn in_one_scan(
+        &mut self,
+        (case, event): (&Case, &CaseEvent),
+        sign: &Sign,
+    ) -> Result<Option<(Case, CaseEvent)>, EngineError> {
+        // The scan after which the first value is wrong is the last that matters.
+        let wrong = wrong_values(&event.expected, &event.got).next();
+        let wrong = wrong.map(|(name, _)| name.split_once('@').unwrap_or((name, "")));
+        let scans = match sign.symptom {
+            Symptom::Value | Symptom::Missing | Symptom::Crash(_) | Symptom::Unusable(_) => wrong
+                .and_then(|(_, scan)| scan.parse().ok())
+                .unwrap_or(case.scans),
+            _ => 1,
+        };
+        if case.scans < 2 || scans > 1 && !case.clock.is_empty() {
+            return Ok(None);
+        }
+        let observed = case
+            .observe
+            .iter()
+            .find(|one| Some(&*one.name) == wrong.map(|(name, _)| name));
+        let observe: Vec<Observation> = observed
+            .map(|one| Observation::last(&one.name, &one.type_name))
+            .into_iter()
+            .collect();
+        let unrolled = unrolled(case, scans).filter(|text| wrong.is_none() || text.len() <= LONG);
+        let one_scan = unrolled.and_then(|program| as_the_reference(case, &program, &observe));
+        let Some(one_scan) = one_scan.filter(|one| one.expectation.accepted == case.expectation.accepted)
+        else {
+            return Ok(None);
+        };
+        let seen = self
+            .deviation(&one_scan)?
+            .filter(|seen| sign.is_kept_by(&seen.sign));
+        Ok(seen.map(|seen| {
+            let event = CaseEvent {
+                program: Some(one_scan.source.to_string()),
+                expected: seen.expected,
+                got: seen.got,
+                ..event.clone()
+            };
+            (one_scan, event)
+        }))
+    }
+}
+
+/// Returns the program of a case with the body of its PROGRAM once for each of the first scans; `None` where it has no body, or one that
+/// may end before its last statement.
+fn unrolled(case: &Case, scans: u32) -> Option<String> {
+    read(&case.source, |program| {
+        let main = program.unit.pous().find(|pou| pou.kind == PouKind::Program)?;
+        let place = body(program.text, main)?;
+        let statements = &program.text[place.clone()];
+        let mut all = String::new();
+        for scan in 1..=scans {
+            for setting in case.set.iter().filter(|setting| setting.before == scan) {
+                let _ = writeln!(all, "    {} := {};", setting.name, plain(&setting.value));
+            }
+            let _ = writeln!(all, "    {statements}");
+        }
+        (!has_word(statements, "RETURN")).then(|| Edits::replacing(place, all.trim()).apply(program.text))
+    })
+}
+
+/// Returns a value as a literal, without its type where that is plain.
+fn plain(value: &Value) -> String {
+    let literal = value.to_string();
+    match literal.split_once('#') {
+        Some(("BOOL" | "SINT" | "INT" | "DINT" | "LINT" | "USINT" | "UINT" | "UDINT" | "ULINT", plain)) => {
+            plain.to_owned()
+        }
+        _ => literal,
+    }
+}
