@@ -230,7 +230,8 @@ impl Asking<'_> {
                     left = left.saturating_sub(smaller.questions());
                     smaller.is_open &= tries < most && !(self.stop)();
                     progress(u64::from(!smaller.is_open));
-                    match smaller.distance() <= found[at].distance() {
+                    // A program that does in one scan what another does in several is longer.
+                    match found[at].questions() == 0 || smaller.distance() <= found[at].distance() {
                         true => found[at] = smaller,
                         // What was not asked to its end may show another cause.
                         false if (self.stop)() => found[at].end_partly(),
@@ -279,12 +280,12 @@ impl Asking<'_> {
                 Some(&case) if tries > 0 && !(self.stop)() => {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
-                    let died = sign;
                     asked.only_checks = false;
-                    let one_scan = asked.in_one_scan((case, event), died)?;
-                    let (case, event) = one_scan
-                        .as_ref()
-                        .map_or((case, event), |(case, event)| (case, event));
+                    let one_scan = asked.in_one_scan((case, event), sign)?;
+                    let (case, event, died) = match &one_scan {
+                        Some((case, event, sign)) => (case, event, sign),
+                        None => (case, event, sign),
+                    };
                     let sign = asked.sign(case, died)?;
                     asked.only_checks = sign.accepts() && sign != *died;
                     let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;

@@ -185,12 +185,12 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
 /// Returns the numbers of a program for which plainer ones may stand: other digits of a location, an integer written in capitals, and
 /// smaller integers with the same type and base, up to the limits of some sizes.
 fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<Number<'s>> {
-    let literals = program.literals().filter_map(|(part, text)| {
+    let literals = program.literals().map(|(part, text)| {
         let plainer = match text.to_ascii_uppercase() {
             capitals if capitals != text && number_of_literal(text).is_some() => vec![capitals],
             _ => smaller(text),
         };
-        Some((part.expression.span, text, plainer))
+        (part.expression.span, text, plainer)
     });
     let groups = program.names.iter().filter_map(|one| one.group?.location);
     let locations = groups.map(|place| {

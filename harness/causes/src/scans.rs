@@ -5,9 +5,9 @@ use crate::failure_sign::Sign;
 use crate::forms::body;
 use crate::program::read;
 use crate::question::{Questioner, wrong_values};
-use crate::reduction::LONG;
 use crate::smaller_case::as_the_reference;
 use crate::words::has_word;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_engines::EngineError;
 use stickler_run::{CaseEvent, Symptom};
@@ -16,8 +16,11 @@ use stickler_syntax::Edits;
 use stickler_syntax::tree::PouKind;
 use stickler_types::{Observation, Value};
 
+/// The maximum number of bytes of a program that does in one scan what another does in several, where a value is wrong.
+const MAX_LENGTH: usize = 40_000;
+
 impl Questioner<'_> {
-    /// Returns a case of several scans as one of a single scan, with what the run saw of it; `None` where it needs a clock, or the engine does
+    /// Returns a case of several scans as one of a single scan, with what the engine does with it; `None` where it needs a clock, or the engine does
     /// not deviate in the same way.
     ///
     /// # Errors
@@ -26,7 +29,7 @@ impl Questioner<'_> {
         &mut self,
         (case, event): (&Case, &CaseEvent),
         sign: &Sign,
-    ) -> Result<Option<(Case, CaseEvent)>, EngineError> {
+    ) -> Result<Option<(Case, CaseEvent, Sign)>, EngineError> {
         // The scan after which the first value is wrong is the last that matters.
         let wrong = wrong_values(&event.expected, &event.got).next();
         let wrong = wrong.map(|(name, _)| name.split_once('@').unwrap_or((name, "")));
@@ -47,42 +50,61 @@ impl Questioner<'_> {
             .map(|one| Observation::last(&one.name, &one.type_name))
             .into_iter()
             .collect();
-        let unrolled = unrolled(case, scans).filter(|text| wrong.is_none() || text.len() <= LONG);
-        let one_scan = unrolled.and_then(|program| as_the_reference(case, &program, &observe));
-        let Some(one_scan) = one_scan.filter(|one| one.expectation.accepted == case.expectation.accepted)
-        else {
-            return Ok(None);
-        };
-        let seen = self
-            .deviation(&one_scan)?
-            .filter(|seen| sign.is_kept_by(&seen.sign));
-        Ok(seen.map(|seen| {
-            let event = CaseEvent {
-                program: Some(one_scan.source.to_string()),
-                expected: seen.expected,
-                got: seen.got,
-                ..event.clone()
+        for is_inlined in [true, false] {
+            let program =
+                unrolled(case, scans, is_inlined).filter(|text| wrong.is_none() || text.len() <= MAX_LENGTH);
+            let one_scan = program.and_then(|program| as_the_reference(case, &program, &observe));
+            let is_valid = |one: &Case| one.expectation.accepted == case.expectation.accepted;
+            let Some(one_scan) = one_scan.filter(is_valid) else {
+                continue;
             };
-            (one_scan, event)
-        }))
+            let seen = self.deviation(&one_scan)?;
+            if let Some(seen) = seen.filter(|seen| seen.sign.symptom == sign.symptom) {
+                let event = CaseEvent {
+                    program: Some(one_scan.source.to_string()),
+                    expected: seen.expected,
+                    got: seen.got,
+                    ..event.clone()
+                };
+                return Ok(Some((one_scan, event, seen.sign)));
+            }
+        }
+        Ok(None)
     }
 }
 
-/// Returns the program of a case with the body of its PROGRAM once for each of the first scans; `None` where it has no body, or one that
-/// may end before its last statement.
-fn unrolled(case: &Case, scans: u32) -> Option<String> {
+/// Returns the program of a case with the body of its PROGRAM once for each of the first scans, with what the case writes as literals in the
+/// place of the variables, or else as assignments; `None` where it has no body, or one that may end before its last statement.
+fn unrolled(case: &Case, scans: u32, is_inlined: bool) -> Option<String> {
     read(&case.source, |program| {
         let main = program.unit.pous().find(|pou| pou.kind == PouKind::Program)?;
         let place = body(program.text, main)?;
-        let statements = &program.text[place.clone()];
+        let mut set = BTreeMap::new();
         let mut all = String::new();
         for scan in 1..=scans {
-            for setting in case.set.iter().filter(|setting| setting.before == scan) {
-                let _ = writeln!(all, "    {} := {};", setting.name, plain(&setting.value));
+            let mut edits = Edits::new();
+            let now = case.set.iter().filter(|setting| setting.before == scan);
+            let now = now.map(|setting| (&*setting.name, plain(&setting.value)));
+            if is_inlined {
+                set.extend(now);
+                let here = program.parts.iter();
+                let here = here.filter(|part| place.contains(&(part.expression.span.start as usize)));
+                let read = here.filter_map(|part| {
+                    Some(Edits::replacing(
+                        part.expression.span,
+                        set.get(part.name()?)?.as_str(),
+                    ))
+                });
+                edits.extend(read);
+            } else {
+                now.for_each(|(name, value)| all += &format!("    {name} := {value};\n"));
             }
-            let _ = writeln!(all, "    {statements}");
+            let statements = edits.apply(program.text);
+            let end = statements.len() - (program.text.len() - place.end);
+            let _ = writeln!(all, "    {}", &statements[place.start..end]);
         }
-        (!has_word(statements, "RETURN")).then(|| Edits::replacing(place, all.trim()).apply(program.text))
+        let has_end = has_word(&program.text[place.clone()], "RETURN");
+        (!has_end).then(|| Edits::replacing(place, all.trim()).apply(program.text))
     })
 }
 

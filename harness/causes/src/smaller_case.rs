@@ -160,6 +160,7 @@ pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
     let alone = || as_the_reference(case, program, &all_variables(case, program));
     let kept = match sign.symptom {
         Symptom::Value | Symptom::Missing if shown.is_derived => None,
+        Symptom::Value | Symptom::Missing => with_program(case, sign, program),
         // What is no value comes with the program alone, where that has one scan.
         _ if !case.set.is_empty() => alone().or_else(|| with_program(case, sign, program)),
         _ => with_program(case, sign, program),

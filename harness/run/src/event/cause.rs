@@ -97,7 +97,8 @@ impl Reproducer {
             }
         }
         let words = groups.into_iter();
-        let words = words.map(|(replaced, by)| format!("with {} in the place of {replaced}", joined(&by, "or")));
+        let words =
+            words.map(|(replaced, by)| format!("with {} in the place of {replaced}", joined(&by, "or")));
         let words: Vec<String> = words.collect();
         (!words.is_empty()).then(|| joined(&words, "or"))
     }
