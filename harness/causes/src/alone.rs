@@ -1,7 +1,6 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is
 //! asked before the operation around it is blamed.
 
-use crate::beginning_block::is_beginning_block;
 use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
 use crate::smaller_case::all_values;
@@ -186,7 +185,7 @@ pub(crate) fn distance(program: &str) -> u64 {
         && program.contains("\nEND_VAR\n    into := ")
         && program.lines().count() < 8;
     match program.contains("    data : ") {
-        _ if is_beginning_block(program) || is_loop_alone(program) => 0,
+        _ if is_loop_alone(program) => 0,
         _ if !is_alone => 2,
         true => 1,
         false => 0,

@@ -73,9 +73,7 @@ impl Essence {
         let pattern = match sign.symptom {
             _ if normal.way == Some(BY_PLACE) => normal.way,
             Symptom::Unusable(_) => normal.way,
-            Symptom::Value if normal.is_beginning() || begins_in_block(&read, normal) => {
-                Some("initial value in a FUNCTION_BLOCK")
-            }
+            Symptom::Value if begins_in_block(&read, normal) => Some("initial value in a FUNCTION_BLOCK"),
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
             // A loop that never ends counts on.
             Symptom::Hang if loop_beyond_limit(&read).is_some() => Some(TO_LAST_VALUE),

@@ -12,7 +12,6 @@ use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
 use crate::subjects::Subjects;
 use crate::title::title;
-use crate::value_lines::shows_initial_value;
 use crate::words::{tokens, valued_types};
 use crate::work::operations;
 use std::cmp::Reverse;
@@ -61,8 +60,7 @@ impl GrowingCause {
         let is_shorter = matches!(normal.deviation.sign.symptom, Symptom::NotImplemented(_))
             && normal.program.len() < smallest.program.len();
         let is_other = normal.is_operand && (!is_plain || is_shorter) && !smallest.deviation.sign.accepts();
-        let begins = normal.is_beginning() && !shows_initial_value(&smallest.program, &smallest.deviation);
-        let is_derived = hides || is_other || begins;
+        let is_derived = hides || is_other;
         // A value of quite another type shows best that none is checked.
         let is_as_small = normal.program.len() <= smallest.program.len();
         let length = |program: &str| tokens(program).len();

@@ -5,7 +5,6 @@ use crate::malformed::has_misplaced_underscore;
 use crate::program::{Part, Program, ReadProgram};
 use crate::question::Takes;
 use crate::shape::is_name;
-use crate::surplus_values::has_more_values;
 use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
@@ -15,7 +14,7 @@ use stickler_syntax::tree::{
     Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::ElementaryType;
+use stickler_types::{DialectName, ElementaryType};
 
 /// The constructs of a program.
 #[derive(Debug)]
@@ -244,7 +243,12 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
             .is_none()
             .then_some("no program organization unit"),
     );
-    found.extend(has_more_values(program).then_some("more values than elements"));
+    // The standard leaves out what finds no element (6.4.4.5.2), which is a mistake in CODESYS.
+    let has_list = program.text.contains('[');
+    let errors = has_list.then(|| stickler_reference::errors(program.text, DialectName::CODESYS));
+    let mut errors = errors.iter().flatten();
+    let has_more_values = errors.any(|error| error.message.contains(" initial values for "));
+    found.extend(has_more_values.then_some("more values than elements"));
     // Basis of these: iec-61131-3: Annex A (`Case_Stmt`, `Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
     let has_no_branch = [TokenKind::EndCase, TokenKind::Else].map(|end| adjacent(TokenKind::Of, end));
     found.extend(has_no_branch.contains(&true).then_some("CASE without a branch"));

@@ -5,7 +5,7 @@
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`]; `failure_sign`, `shape` |
 //! | a program of several scans becomes one that does the same in one | `scans` |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `guard`, `question`; `reduced_group` |
-//! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `beginning_block`, `forms`, `plainness` |
+//! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `forms`, `plainness` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `line_features`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; where only a plainer program shows the cause, the document that promises its construct is cited | `claim`, `promised` |
 //! | the engine is asked how far the cause goes: with other types, and with other numbers | `neighbours` |
@@ -35,7 +35,6 @@
 //! where a limit of time ends the search.
 
 mod alone;
-mod beginning_block;
 mod claim;
 mod compiler_place;
 mod essence;
@@ -66,7 +65,6 @@ mod shape;
 mod smaller_case;
 mod smaller_programs;
 mod subjects;
-mod surplus_values;
 mod suspect;
 #[cfg(test)]
 mod tests;

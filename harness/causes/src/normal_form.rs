@@ -10,7 +10,6 @@ mod other_forms;
 pub(crate) use other_forms::{BY_PLACE, NUMBERS_PLACELESS};
 
 use crate::alone::{alone, is_loop_alone, shows};
-use crate::beginning_block::is_beginning_block;
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
@@ -75,12 +74,6 @@ impl Normal {
         }
     }
 
-    /// Returns whether variables of function blocks do not begin with their values, so that what the small program does with them does
-    /// not matter.
-    pub(crate) fn is_beginning(&self) -> bool {
-        is_beginning_block(&self.program)
-    }
-
     /// Returns whether a value of quite another type is accepted in the place of the mistake.
     pub(crate) fn is_unchecked(&self) -> bool {
         let line = self
@@ -140,7 +133,7 @@ pub(crate) fn normal_form(
     }
     match now {
         _ if search.normal.way.is_some() => {}
-        Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
+        Symptom::Value | Symptom::Missing => {
             search.other_forms()?;
             // The types and values of such an operation do not matter.
             if search.normal.way.is_none() {
@@ -309,7 +302,7 @@ impl NormalSearch<'_, '_> {
             let is_empty = program.unit.pous().all(|pou| pou.body.is_empty());
             (forms::only_initial_values(program), is_empty)
         });
-        let keeps = is_empty || is_beginning_block(text) || initial.iter().any(|initial| initial == text);
+        let keeps = is_empty || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
             one.name.eq_ignore_ascii_case("into")

@@ -41,14 +41,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             wrong.has_date_beyond_seconds(),
             "date that 32 bits of seconds do not hold",
         ),
-        (
-            wrong.loses_fraction(false),
-            "fraction of a second of a time of day that is lost",
-        ),
-        (
-            wrong.loses_fraction(true),
-            "fraction of a second of a date and time that is lost",
-        ),
+        (wrong.loses_fraction(), "fraction of a second that is lost"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
@@ -310,14 +303,10 @@ impl WrongNumber<'_, '_, '_> {
         is_moment && years.any(is_beyond)
     }
 
-    /// Returns whether a wrong time of day, or date and time where `has_date`, is the right one without its fraction of a second.
-    fn loses_fraction(&self, has_date: bool) -> bool {
-        let is_of_day = |ty: ElementaryType| matches!(ty, ElementaryType::Tod | ElementaryType::Ltod);
+    /// Returns whether a wrong time of day, or date and time, is the right one without its fraction of a second.
+    fn loses_fraction(&self) -> bool {
         let bits = self.bits().filter(|(ty, ..)| ty.is_date_or_time());
-        bits.is_some_and(|(ty, raw, got)| {
-            if is_of_day(ty) == has_date {
-                return false;
-            }
+        bits.is_some_and(|(_, raw, got)| {
             let (raw, got) = (raw.cast_signed(), got.cast_signed());
             raw != got && raw - raw.rem_euclid(NANOSECONDS) == got
         })

@@ -1,7 +1,6 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::alone::{Alone, alone, configuration_alone, loops_alone, shows};
-use crate::beginning_block::beginning_alone;
 use crate::failure_sign::Sign;
 use crate::guard::Constructs;
 use crate::program::{Program, read};
@@ -82,9 +81,6 @@ pub(crate) fn reduce(
     let unreduced = Smallest::unreduced(event, sign);
     if !is_reducible(&sign.symptom) {
         return Ok(unreduced);
-    }
-    if let Some(found) = beginning_alone(asked, case, &unreduced, stop)? {
-        return Ok(found);
     }
     if let Some(found) = operand_alone(asked, (case, event), &unreduced, stop)? {
         return Ok(found);
