@@ -30,13 +30,6 @@ const OTHERS: [ElementaryType; 6] = {
 /// The numbers of bits at whose limits a compiler may do otherwise.
 const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
 
-/// A number of a program, and plainer ones that may stand in its place, the plainest first.
-struct Number<'s> {
-    span: Span,
-    text: &'s str,
-    plainer: Vec<String>,
-}
-
 impl Asking<'_> {
     /// Asks about the neighbours of each program that was made small. `stop` is asked before each.
     pub(crate) fn neighbours(
@@ -50,6 +43,9 @@ impl Asking<'_> {
         };
         let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
         for (member, neighbours) in causes.iter_mut().zip(found) {
+            if let Some(first) = first_wrong(&neighbours) {
+                member.cause.title += &format!(", from {first} on");
+            }
             member.cause.shown.neighbours = neighbours;
         }
         Ok(())
@@ -88,12 +84,12 @@ impl Asking<'_> {
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
         let program = Program::new(&shown.program);
-        let numbers = numbers(&program.read()).into_iter().map(|number| {
-            let plainer = number.plainer.iter().map(|by| {
-                let program = Edits::replacing(number.span, by.as_str()).apply(&shown.program);
+        let numbers = numbers(&program.read()).into_iter().map(|(span, text, plainer)| {
+            let plainer = plainer.into_iter().filter(|by| by != text).filter_map(|by| {
+                let program = Edits::replacing(span, by.as_str()).apply(&shown.program);
                 Some((format!("`{by}`"), with_case(&program)?))
             });
-            (format!("`{}`", number.text), plainer.flatten().collect())
+            (format!("`{text}`"), plainer.collect())
         });
         let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
@@ -150,6 +146,17 @@ impl Asking<'_> {
     }
 }
 
+/// Returns the number from which on an engine deviates, where it does what it must with the number before.
+fn first_wrong(neighbours: &[Neighbour]) -> Option<&str> {
+    let amount = |text: &str| Some(number_of_literal(text.trim_matches('`'))?.unsigned_abs());
+    neighbours.iter().filter(|one| !one.is_same).find_map(|right| {
+        let mut others = neighbours.iter().filter(|one| one.is_same);
+        let wrong = others.find(|one| one.replaced == right.replaced);
+        let wrong = wrong.map_or(right.replaced.as_str(), |one| &one.by);
+        (amount(wrong)? == amount(&right.by)? + 1).then_some(wrong)
+    })
+}
+
 /// Returns whether an engine deviates in one way, whatever words it says it in.
 fn is_alike(one: &Symptom, other: &Symptom) -> bool {
     match (one, other) {
@@ -182,9 +189,9 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
     found
 }
 
-/// Returns the numbers of a program for which plainer ones may stand: other digits of a location, an integer written in capitals, and
-/// smaller integers with the same type and base, up to the limits of some sizes.
-fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<Number<'s>> {
+/// Returns the numbers of a program, each with plainer ones that may stand in its place, the plainest first: other digits of a location, an
+/// integer in capitals, or smaller ones with the same type and base, up to the limits of some sizes.
+fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<(Span, &'s str, Vec<String>)> {
     let literals = program.literals().map(|(part, text)| {
         let plainer = match text.to_ascii_uppercase() {
             capitals if capitals != text && number_of_literal(text).is_some() => vec![capitals],
@@ -197,12 +204,7 @@ fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<Number<'s>> {
         let letters = place.text.trim_end_matches(|sign: char| sign.is_ascii_digit());
         (place.span, place.text, vec![format!("{letters}1")])
     });
-    let all = literals.chain(locations).map(|(span, text, plainer)| Number {
-        span,
-        text,
-        plainer: plainer.into_iter().filter(|by| by != text).collect(),
-    });
-    all.filter(|number| !number.plainer.is_empty()).collect()
+    literals.chain(locations).collect()
 }
 
 /// Returns 1 and the numbers at the limits of some sizes, of those that are nearer to zero than an integer literal, as it is written.

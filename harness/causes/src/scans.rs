@@ -30,9 +30,10 @@ impl Questioner<'_> {
         (case, event): (&Case, &CaseEvent),
         sign: &Sign,
     ) -> Result<Option<(Case, CaseEvent, Sign)>, EngineError> {
-        // The scan after which the first value is wrong is the last that matters.
-        let wrong = wrong_values(&event.expected, &event.got).next();
-        let wrong = wrong.map(|(name, _)| name.split_once('@').unwrap_or((name, "")));
+        // The first scan after which a value is wrong is the last that matters.
+        let wrong = wrong_values(&event.expected, &event.got).map(|(name, _)| name);
+        let wrong = wrong.map(|name| name.split_once('@').unwrap_or((name, "")));
+        let wrong = wrong.min_by_key(|(_, scan)| scan.parse().unwrap_or(u32::MAX));
         let scans = match sign.symptom {
             Symptom::Value | Symptom::Missing | Symptom::Crash(_) | Symptom::Unusable(_) => wrong
                 .and_then(|(_, scan)| scan.parse().ok())

@@ -21,7 +21,10 @@ use std::path::{Path, PathBuf};
 use std::slice;
 use std::sync::Arc;
 use stickler_engines::Session;
-use stickler_types::{Diagnostic, DialectName, NamedValue, Observation, Outcome, RunRequest, counted};
+use stickler_syntax::features::features;
+use stickler_types::{
+    Diagnostic, Dialect, DialectName, NamedValue, Observation, Outcome, RunRequest, counted,
+};
 use trace::{Request, Trace};
 use variables::{MAX_VARIABLES, Variables};
 
@@ -139,6 +142,18 @@ impl Judge<'_, '_> {
                 true => output::json_line(out, &result)?,
                 false => result.write(self.arguments.batch.is_some(), out)?,
             }
+        }
+        let is_timed = |(judged, _): &(Judged, Variables)| {
+            let used = features(&judged.text, Dialect::of(self.arguments.dialect));
+            used.iter().any(|key| key.contains("timer"))
+        };
+        let is_still = self.arguments.cycle.is_none() && traces.iter().any(|trace| trace.clock.is_empty());
+        if exit == Exit::Failures && is_still && !self.arguments.json && program.as_ref().is_ok_and(is_timed)
+        {
+            writeln!(
+                out,
+                "note: a trace without a clock has no time that passes, so that no timer ends; give it a `clock`, or --cycle"
+            )?;
         }
         if !basis.is_empty() && !self.arguments.json {
             let of = |Used { name, stated, open }: &Used| format!("{name} {stated} of {}", stated + open);
