@@ -30,6 +30,9 @@ const UNCHECKED: &str = "unchecked";
 /// The beginning of the symptom of a mistake that is accepted.
 const ACCEPTED: &str = "accepted";
 
+/// The symptom of a mistake that is not reported beside others.
+const INCOMPLETE: &str = "incomplete";
+
 /// The symptom of a mistake in a literal that is told without its place.
 const LITERAL_WITHOUT_PLACE: &str = "no place number";
 
@@ -133,6 +136,7 @@ impl Essence {
             symptom: named(&symptom),
             pattern: pattern
                 .or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal"))
+                .or((symptom == INCOMPLETE).then_some("mistakes beside others"))
                 .or(symptom.ends_with(IN_OTHER_UNIT).then_some(PARTS_IN_OTHER_UNIT)),
             constructs: features,
             labels,
@@ -180,6 +184,7 @@ fn needs(
     (normal, is_unchecked): (&Normal, bool),
 ) -> (String, BTreeSet<String>, bool) {
     let symptom = sign.word();
+    let got = &normal.deviation.got[..];
     match &sign.symptom {
         Symptom::NotRejected(code) => {
             let features = of_accepted(line, code, is_unchecked);
@@ -215,17 +220,11 @@ fn needs(
         }
         // What the engine says of a literal depends on the place where it stands.
         Symptom::Rejected(reason) if line.size_of_integers().is_some() => {
-            let (symptom, features) = rejection(line, reason, &sign.at);
+            let (symptom, features) = rejection(line, reason, &sign.at, got);
             (symptom, features, true)
         }
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
-        }
-        // Each standard function has parameters of its own, whose types matter to no other.
-        Symptom::Rejected(reason)
-            if says(&normal.deviation.got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() =>
-        {
-            (rejected(line, reason, ""), line.standard_calls(), true)
         }
         // What a compiler says of itself that it does not do is done there, whatever needs it.
         Symptom::Rejected(reason) if says_unsupported(reason) => {
@@ -239,13 +238,13 @@ fn needs(
             (rejected(line, reason, ""), line.special_sections(), true)
         }
         Symptom::Rejected(reason) => {
-            let (symptom, features) = rejection(line, reason, &sign.at);
+            let (symptom, features) = rejection(line, reason, &sign.at, got);
             (symptom, features, true)
         }
         Symptom::NotImplemented(words) => {
             // What is missing at one place of a compiler is put right there, whatever needs it.
-            let mut features = line.of_missing(&normal.deviation.got);
-            if let Some(place) = compiler_place(&normal.deviation.got) {
+            let mut features = line.of_missing(got);
+            if let Some(place) = compiler_place(got) {
                 // A FUNCTION or a block that has no variables with parts has none whichever part is asked for.
                 if features.remove(IN_OTHER_UNIT) && features.iter().any(|one| WITH_PARTS.contains(&&**one)) {
                     return (format!("not implemented {IN_OTHER_UNIT}"), BTreeSet::new(), false);
@@ -295,11 +294,11 @@ fn needs(
         Symptom::Crash(words) | Symptom::Unusable(words) => {
             let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
             // Where in its own source a compiler fails says more than its words.
-            if let Some(place) = compiler_place(&normal.deviation.got) {
+            if let Some(place) = compiler_place(got) {
                 return (format!("crash at {place}"), BTreeSet::new(), false);
             }
             // What a compiler of C says of a header that was written for it depends on what follows.
-            let symptom = match unusable_header(&normal.deviation.got) {
+            let symptom = match unusable_header(got) {
                 Some(header) => format!("unusable {header}"),
                 // What it says of a global variable depends on what is done with it.
                 None if is_unusable && line.uses_external() => {
@@ -325,7 +324,7 @@ fn needs(
             ("no place".to_owned(), BTreeSet::new(), false)
         }
         // What is told once more without a place is what has lost its place elsewhere.
-        Symptom::Surplus(reported) if has_lost_place(&normal.deviation.got) => {
+        Symptom::Surplus(reported) if has_lost_place(got) => {
             (format!("no place {reported}"), line.partial_accesses(), false)
         }
         // What is wrong with a number has the place of the number.
@@ -344,7 +343,7 @@ fn needs(
         }
         Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
         // What ends at one mistake says nothing of others, whatever they are.
-        Symptom::Incomplete(_) => ("incomplete".to_owned(), BTreeSet::new(), false),
+        Symptom::Incomplete(_) => (INCOMPLETE.to_owned(), BTreeSet::new(), false),
         Symptom::OtherLine(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
@@ -395,7 +394,7 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
 fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option<(String, BTreeSet<String>)> {
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
-            Some(rejection(line, reported, &sign.at))
+            Some(rejection(line, reported, &sign.at, &normal.deviation.got))
         }
         // An engine that reads no escapes takes one that does not exist, and a text that ends behind `$'` for one that does not end.
         Symptom::NotRejected(code) | Symptom::Rejected(code) if of_characters(code) && line.has_escape() => {
@@ -413,7 +412,7 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
             let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
             let valid = Sign::of(&normal.program, Verdict::Fail, facts, Grade::Line);
             match valid.symptom {
-                Symptom::Rejected(reason) => Some(rejection(line, &reason, &valid.at)),
+                Symptom::Rejected(reason) => Some(rejection(line, &reason, &valid.at, &normal.deviation.got)),
                 _ => None,
             }
         }
@@ -475,9 +474,18 @@ fn says_unsupported(reason: &str) -> bool {
 
 /// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large is
 /// that in every form and every place.
-fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, BTreeSet<String>) {
+fn rejection(
+    line: &ProgramAndLine<'_, '_>,
+    reason: &str,
+    at: &str,
+    got: &[Fact],
+) -> (String, BTreeSet<String>) {
     match line.size_of_integers() {
         Some(size) => ("rejected literal".to_owned(), words([size])),
+        // Each standard function has parameters of its own, whose types matter to no other.
+        None if says(got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() => {
+            (rejected(line, reason, ""), line.standard_calls())
+        }
         None => (rejected(line, reason, at), line.of_rejection()),
     }
 }

@@ -29,6 +29,7 @@ struct Failing {
     said: Option<String>,
     accepted: Option<String>,
     otherwise: Option<(String, String)>,
+    beside: Option<String>,
     elsewhere: Option<(String, String)>,
     placeless: Option<String>,
     wrong: Option<Vec<String>>,
@@ -138,7 +139,9 @@ impl Failing {
             Some(_) => Verdict::Crash,
             None => Verdict::Fail,
         };
-        (vec![expected], vec![got], verdict)
+        let beside = self.beside.as_deref();
+        let beside = beside.map(|code| diagnostic(Some(code), "", Some(last), None));
+        ([expected].into_iter().chain(beside).collect(), vec![got], verdict)
     }
 
     fn smallest(&self) -> Smallest {
