@@ -7,9 +7,7 @@
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
-use crate::line_features::{
-    DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine,
-};
+use crate::line_features::{DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{BY_PLACE, NUMBERS_PLACELESS, Normal};
@@ -249,9 +247,7 @@ fn needs(
                 if features.remove(IN_OTHER_UNIT) && features.iter().any(|one| WITH_PARTS.contains(&&**one)) {
                     return (format!("not implemented {IN_OTHER_UNIT}"), BTreeSet::new(), false);
                 }
-                // A block has its variables elsewhere than the unit has its own.
-                features.retain(|feature| feature == INSTANCE && !line.calls_instance());
-                return (format!("not implemented at {place}"), features, false);
+                return (format!("not implemented at {place}"), BTreeSet::new(), false);
             }
             (format!("not implemented {words}"), features, true)
         }

@@ -56,7 +56,7 @@ pub(crate) const LITERAL: &str = "untyped literal";
 /// The feature of something not implemented that stands in another unit than a PROGRAM.
 pub(crate) const IN_OTHER_UNIT: &str = "function or function block";
 /// The feature of something not implemented with an instance.
-pub(crate) const INSTANCE: &str = "instance of a function block";
+const INSTANCE: &str = "instance of a function block";
 /// The feature of a mistake with a whole array, a structure or an enumeration.
 pub(crate) const DERIVED: &str = "derived type";
 
