@@ -156,8 +156,9 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
         .line_text(number.saturating_sub(1))
         .unwrap_or_default()
         .trim();
-    if code.starts_with("END_") && opens(before) {
-        return format!("{before} {code}");
+    // What ends too early or too late is what stands before it.
+    if code.starts_with("END_") && !before.starts_with("END_") {
+        return format!("{before} {code}").trim_start().to_owned();
     }
     // A CASE says little without its first label.
     if code.ends_with(" OF") && next.ends_with(':') {
