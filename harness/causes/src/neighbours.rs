@@ -60,7 +60,8 @@ impl Asking<'_> {
         let (cause, shown, symptom) = (&member.cause, &member.cause.shown, &member.sign.symptom);
         let is_asked = !cause.is_partly_reduced() && cause.flaky.is_none();
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
-        let Some(known) = known.filter(|_| is_asked && is_reducible(symptom)) else {
+        let Some(known) = known.filter(|_| is_asked && is_reducible(symptom) && *symptom != Symptom::Text)
+        else {
             return Ok(Vec::new());
         };
         let as_shown = |program: &str| as_the_reference(known, program, &all_variables(known, program));
@@ -96,18 +97,14 @@ impl Asking<'_> {
         let place = compiler_place(&shown.got);
         // What goes wrong otherwise says nothing.
         let mut is_same = |case: &Case| {
-            let seen = if stop() {
-                return Ok(None);
-            } else {
-                asked.deviation(case)?
-            };
-            Ok::<_, EngineError>(match seen {
-                None => Some(false),
-                Some(seen) => {
-                    let is_same = is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place;
-                    is_same.then_some(true)
-                }
-            })
+            if stop() {
+                return Ok::<_, EngineError>(None);
+            }
+            let seen = asked.deviation(case)?;
+            let is_same = seen.as_ref().is_none_or(|seen| {
+                is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
+            });
+            Ok(is_same.then_some(seen.is_some()))
         };
         let mut found = Vec::new();
         for (neighbour, case) in types {
@@ -122,21 +119,8 @@ impl Asking<'_> {
             }
         }
         for (replaced, plainer) in numbers {
-            let (mut right, mut wrong) = (None, plainer.len());
-            // The plainest first, and then between what is right and what is not.
-            let mut at = 0;
-            while at < wrong {
-                match is_same(&plainer[at].1)? {
-                    Some(false) => right = Some(at),
-                    Some(true) => wrong = at,
-                    None => break,
-                }
-                let next = right.map_or(wrong, |right| right + 1);
-                at = next + (wrong - next) / 2;
-            }
-            let told = right.map(|right| (right, false)).into_iter();
-            let told = told.chain((right.is_some() && wrong < plainer.len()).then_some((wrong, true)));
-            found.extend(told.map(|(at, is_same)| Neighbour {
+            let told = limits(plainer.len(), |at| is_same(&plainer[at].1))?;
+            found.extend(told.into_iter().map(|(at, is_same)| Neighbour {
                 replaced: replaced.clone(),
                 by: plainer[at].0.clone(),
                 is_same,
@@ -146,14 +130,37 @@ impl Asking<'_> {
     }
 }
 
-/// Returns the number from which on an engine deviates, where it does what it must with the number before.
+/// Returns the last of some programs with which an engine does what it must, and the first with which it deviates. Nothing where it already
+/// deviates with the first of all, and no further than it is known what it does.
+fn limits(
+    number: usize,
+    mut is_same: impl FnMut(usize) -> Result<Option<bool>, EngineError>,
+) -> Result<Vec<(usize, bool)>, EngineError> {
+    if number == 0 || is_same(0)? != Some(false) {
+        return Ok(Vec::new());
+    }
+    let (mut right, mut wrong) = (0, number);
+    while right + 1 < wrong {
+        let at = right + (wrong - right) / 2;
+        match is_same(at)? {
+            Some(false) => right = at,
+            Some(true) => wrong = at,
+            None => break,
+        }
+    }
+    let first = (wrong < number).then_some((wrong, true));
+    Ok([(right, false)].into_iter().chain(first).collect())
+}
+
+/// Returns the number from which on an engine deviates, where it does what it must with the number before: a limit of a type, which are those
+/// above 127.
 fn first_wrong(neighbours: &[Neighbour]) -> Option<&str> {
     let amount = |text: &str| Some(number_of_literal(text.trim_matches('`'))?.unsigned_abs());
     neighbours.iter().filter(|one| !one.is_same).find_map(|right| {
         let mut others = neighbours.iter().filter(|one| one.is_same);
         let wrong = others.find(|one| one.replaced == right.replaced);
         let wrong = wrong.map_or(right.replaced.as_str(), |one| &one.by);
-        (amount(wrong)? == amount(&right.by)? + 1).then_some(wrong)
+        (amount(wrong)? == amount(&right.by)? + 1 && amount(wrong)? > 127).then_some(wrong)
     })
 }
 

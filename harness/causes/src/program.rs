@@ -139,7 +139,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// Returns whether a name is that of an instance of a function block of the program.
     pub(crate) fn is_instance(&self, name: &str) -> bool {
         let unit = self.unit_of(name);
-        unit.is_some_and(|pou| pou.kind == PouKind::FunctionBlock && !pou.name.is(name))
+        self.group(name).is_some() && unit.is_some_and(|pou| pou.kind == PouKind::FunctionBlock)
     }
 
     /// Returns the elementary type of what is declared so: of an array that of its elements.

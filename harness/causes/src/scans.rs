@@ -43,18 +43,13 @@ impl Questioner<'_> {
         if case.scans < 2 || scans > 1 && !case.clock.is_empty() {
             return Ok(None);
         }
-        let observed = case
-            .observe
-            .iter()
-            .find(|one| Some(&*one.name) == wrong.map(|(name, _)| name));
-        let observe: Vec<Observation> = observed
-            .map(|one| Observation::last(&one.name, &one.type_name))
-            .into_iter()
-            .collect();
+        let is_wrong = |one: &&Observation| Some(&*one.name) == wrong.map(|(name, _)| name);
+        let observed = case.observe.iter().find(is_wrong);
+        let observed = observed.map(|one| Observation::last(&one.name, &one.type_name));
         for is_inlined in [true, false] {
             let program =
                 unrolled(case, scans, is_inlined).filter(|text| wrong.is_none() || text.len() <= MAX_LENGTH);
-            let one_scan = program.and_then(|program| as_the_reference(case, &program, &observe));
+            let one_scan = program.and_then(|program| as_the_reference(case, &program, observed.as_slice()));
             let is_valid = |one: &Case| one.expectation.accepted == case.expectation.accepted;
             let Some(one_scan) = one_scan.filter(is_valid) else {
                 continue;

@@ -6,6 +6,7 @@ use crate::basis::Basis;
 use crate::markdown::{code, inline, linked};
 use crate::overview::Overview;
 use crate::text::{noted, visible};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
@@ -13,6 +14,9 @@ use stickler_run::{
     Reproducer, Source, Verdict,
 };
 use stickler_types::{Contradiction, Relation, counted, grouped};
+
+/// The maximum number of other claims that a page lists, those with the most cases first.
+const MAX_CLAIMS: usize = 6;
 
 /// The maximum number of lines in the table of cases; the others are counted.
 const MAX_LISTED: usize = 40;
@@ -439,8 +443,13 @@ fn cases(text: &mut String, cause: &Cause) {
         false => text
             .push_str(". It hides whether the compiler meets other claims, whose cases fail for it too:\n\n"),
     }
-    for (claim, cases) in claims.into_iter().filter(|_| !cause.is_lack()) {
+    let mut claims: Vec<_> = claims.into_iter().filter(|_| !cause.is_lack()).collect();
+    claims.sort_by_key(|(_, cases)| Reverse(*cases));
+    for (claim, cases) in claims.iter().take(MAX_CLAIMS) {
         let _ = writeln!(text, "- {}: {cases}", inline(claim));
+    }
+    if let Some(others) = claims.get(MAX_CLAIMS..).filter(|others| !others.is_empty()) {
+        let _ = writeln!(text, "- {} others", others.len());
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
     let mut listed: Vec<ExplainedCases> = Vec::new();
@@ -454,7 +463,7 @@ fn cases(text: &mut String, cause: &Cause) {
         };
         ExplainedCases::add(&mut listed, some);
     }
-    listed.sort_by_key(|some| std::cmp::Reverse(some.cases));
+    listed.sort_by_key(|some| Reverse(some.cases));
     for some in listed.iter().take(MAX_LISTED) {
         let _ = writeln!(
             text,
