@@ -69,7 +69,8 @@ impl Asking<'_> {
             return Ok(Vec::new());
         };
         asked.only_checks = member.sign.accepts();
-        let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
+        // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
+        let tells = !matches!(symptom, Symptom::Value | Symptom::Missing) && !member.sign.accepts();
         // A neighbour has the same mistakes.
         let with_case = |program: &str| {
             as_shown(program).filter(|case| {
@@ -108,14 +109,8 @@ impl Asking<'_> {
         };
         let mut found = Vec::new();
         for (neighbour, case) in types {
-            match is_same(&case)? {
-                Some(true) => found.push(neighbour),
-                // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
-                Some(false) if !is_value && !member.sign.accepts() => found.push(Neighbour {
-                    is_same: false,
-                    ..neighbour
-                }),
-                _ => {}
+            if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {
+                found.push(Neighbour { is_same, ..neighbour });
             }
         }
         for (replaced, plainer) in numbers {
