@@ -235,14 +235,8 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
     let positional = program.at(Place::Argument).find(is_positional);
     found.extend(positional.map(|_| "argument of a block by its position"));
     found.extend(has_no_result(program).then_some("function without a result"));
-    found.extend(
-        program
-            .unit
-            .pous()
-            .next()
-            .is_none()
-            .then_some("no program organization unit"),
-    );
+    let has_unit = program.unit.pous().next().is_some();
+    found.extend((!has_unit).then_some("no program organization unit"));
     // The standard leaves out what finds no element (6.4.4.5.2), which is a mistake in CODESYS.
     let has_list = program.text.contains('[');
     let errors = has_list.then(|| stickler_reference::errors(program.text, DialectName::CODESYS));

@@ -70,7 +70,8 @@ impl Asking<'_> {
         };
         asked.only_checks = member.sign.accepts();
         // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
-        let tells = !matches!(symptom, Symptom::Value | Symptom::Missing) && !member.sign.accepts();
+        let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
+        let tells = !is_value && !member.sign.accepts();
         // A neighbour has the same mistakes.
         let with_case = |program: &str| {
             as_shown(program).filter(|case| {
@@ -82,7 +83,7 @@ impl Asking<'_> {
                     && !asked.uses_what_is_lacking(known, program)
             })
         };
-        let types = read(&shown.program, with_other_types).into_iter();
+        let types = read(&shown.program, |program| with_other_types(program, is_value)).into_iter();
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
         let program = Program::new(&shown.program);
@@ -168,8 +169,9 @@ fn is_alike(one: &Symptom, other: &Symptom) -> bool {
     }
 }
 
-/// Returns a program with other types in the place of each of its types, of which the program names none.
-fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
+/// Returns a program with other types in the place of each of its types, of which the program names none; with `only_alike` those of the same
+/// family alone, since a value of another is computed otherwise.
+fn with_other_types(program: &ReadProgram<'_, '_>, only_alike: bool) -> Vec<(Neighbour, String)> {
     let there = named_types(program.text);
     let mut found = Vec::new();
     for ty in there.iter().filter_map(|name| elementary(name)) {
@@ -177,7 +179,9 @@ fn with_other_types(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
             .into_iter()
             .filter(|other| other.family() == ty.family());
         let alike = alike.filter(|other| *other != ty).take(MAX_ALIKE);
-        let others = OTHERS.into_iter().filter(|other| other.family() != ty.family());
+        let others = OTHERS
+            .into_iter()
+            .filter(|other| !only_alike && other.family() != ty.family());
         let others = alike.chain(others).filter(|other| !there.contains(other.name()));
         found.extend(others.map(|other| {
             let neighbour = Neighbour {

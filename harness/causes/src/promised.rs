@@ -27,11 +27,8 @@ pub(crate) fn promise<'s>(
     (engine, suite): (&Identity, &'s Suite),
 ) -> Option<Cow<'s, str>> {
     let Suite { features, .. } = suite;
-    let is_of_mistake = shown
-        .deviation
-        .expected
-        .iter()
-        .any(|fact| fact.diagnostic().is_some());
+    let mut expected = shown.deviation.expected.iter();
+    let is_of_mistake = expected.any(|fact| fact.diagnostic().is_some());
     let is_refused = matches!(
         shown.deviation.sign.symptom,
         Symptom::Rejected(_)
@@ -141,11 +138,8 @@ fn line_at_fault(program: &ReadProgram<'_, '_>, shown: &Smallest) -> Option<u32>
         Symptom::NotImplemented(_) => Some(unimplemented(program, got)),
         Symptom::Value => {
             let (name, _) = wrong_values(&shown.deviation.expected, got).next()?;
-            Some(
-                program
-                    .computation(name)
-                    .unwrap_or_else(|| program.declaration(name)),
-            )
+            let computed = program.computation(name);
+            Some(computed.unwrap_or_else(|| program.declaration(name)))
         }
         Symptom::Fault(_) => Some(stopping(program)),
         _ => {

@@ -83,11 +83,7 @@ impl Titled<'_, '_> {
                 format!("{line} is rejected without the place of the mistake: {message}")
             }
             Symptom::OtherLine(_) => {
-                let inside = wanted
-                    .line
-                    .and_then(|line| suspect::guard_of(&self.program, line));
-                let inside = inside.map_or(String::new(), |guard| format!(" behind `{}`", clipped(guard)));
-                format!("{line}{inside}: {mistake} is reported on another line")
+                format!("{line}: {mistake} is reported on another line")
             }
             Symptom::Incomplete(code) => {
                 let missing = self.missing(code);
@@ -170,10 +166,15 @@ impl Titled<'_, '_> {
         described(&self.program, self.telling(number))
     }
 
-    /// Returns a line in words like [`Titled::line`], with the kind of the unit that it stands in where that is no PROGRAM.
+    /// Returns a line in words like [`Titled::line`], with the IF, CASE or loop around it, without which the defect does not come, and the kind
+    /// of the unit that it stands in where that is no PROGRAM.
     fn line_in_unit(&self, number: Option<u32>) -> String {
         let number = self.telling(number);
-        described(&self.program, number) + &self.unit(number)
+        let told = described(&self.program, number);
+        let guard = suspect::guard_of(&self.program, number)
+            .filter(|guard| !told.contains(*guard) && !told.starts_with("`ELS"));
+        let guard = guard.map_or(String::new(), |guard| format!(" behind `{}`", clipped(guard)));
+        told + &guard + &self.unit(number)
     }
 
     /// Returns whether a line assigns an element by a subscript that is no number, and another variable than this is at fault.
