@@ -226,7 +226,7 @@ fn quoted_literal(
 /// range.
 fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralError) -> SpannedDiagnostic {
     let (code, message) = match error {
-        LiteralError::Overflow { .. } => {
+        LiteralError::Overflow { range, .. } => {
             let code = match ty.family() {
                 Family::Real => Code::RealLiteralOutOfRange,
                 Family::Duration => Code::DurationLiteralOutOfRange,
@@ -234,7 +234,12 @@ fn misread(signed: Signed<'_>, ty: ElementaryType, text: &str, error: LiteralErr
                 _ => Code::ConstantOverflow,
             };
             let written = quoted(signed.span.text(text));
-            (code, format!("{written} does not fit {}", ty.name()))
+            // Of a date or a time of day one part may be at fault.
+            let part = match range.starts_with("the ") {
+                true => format!(": outside {range}"),
+                false => String::new(),
+            };
+            (code, format!("{written} does not fit {}{part}", ty.name()))
         }
         LiteralError::Character { .. } => (
             Code::StringLiteralCharOutOfRange,

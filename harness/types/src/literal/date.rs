@@ -101,7 +101,7 @@ impl<'t> Fields<'t> {
         // Any greater year is far outside the range; this bound keeps the arithmetic on days small.
         let year = self.number(0, 99_999, "a date")?;
         self.mark(b'-', "`-` and the month")?;
-        let month = self.number(1, 12, "a month")?;
+        let month = self.number(1, 12, "the months of a year")?;
         self.mark(b'-', "`-` and the day")?;
         let day = self.number(1, days_in_month(year, month), "the days of the month")?;
         Ok(days_from_civil(year, month, day))
