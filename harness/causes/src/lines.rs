@@ -38,7 +38,8 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     let mut types: Vec<String> = Vec::new();
     // A line may have many thousands of words, of which nobody sees more than the first.
     let shown = clipped(code);
-    for word in words(&shown) {
+    let all = words(&shown);
+    for (word, next) in all.iter().copied().zip(all.iter().skip(1).chain([&""])) {
         let is_it = |one: &&DeclaredName<'_, '_>| one.name.is(word) && one.group.is_some();
         let is_own = own.iter().any(|name| name.eq_ignore_ascii_case(word));
         let is_inside = |one: &&DeclaredName<'_, '_>| one.inside.is_some_and(|unit| is_in(unit.span));
@@ -56,12 +57,14 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
                 Some(format!("{} : {written}", ty.name.text))
             })
             .or_else(|| {
-                let is_block = |pou: &Pou<'_>| pou.kind == PouKind::FunctionBlock && pou.name.is(word);
-                let block = program
-                    .unit
-                    .pous()
-                    .find(|pou| is_block(pou) && !is_in(pou.name.span))?;
-                Some(format!("{} : FUNCTION_BLOCK", block.name.text))
+                let mut units = program.unit.pous();
+                let unit = units.find(|pou| pou.name.is(word) && !is_in(pou.name.span))?;
+                let kind = match unit.kind {
+                    PouKind::FunctionBlock => "FUNCTION_BLOCK",
+                    PouKind::Function if *next != "(" => "FUNCTION",
+                    _ => return None,
+                };
+                Some(format!("{} : {kind}", unit.name.text))
             })
             .or_else(|| enumeration_of(program, word).filter(|_| declared.is_none()));
         let group = declared.filter(|_| !is_own).and_then(|one| one.group);
