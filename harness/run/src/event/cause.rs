@@ -110,7 +110,7 @@ impl Reproducer {
 pub struct Neighbour {
     /// The elementary type, the integer literal or the location in whose place another stands, as a page writes it: `` `INT` ``, `` `%MW10` ``.
     pub replaced: String,
-    /// What stands there.
+    /// The type, the literal or the location that stands there instead.
     pub by: String,
     /// Whether the engine deviates in the same way; otherwise it does what it must.
     pub is_same: bool,
