@@ -449,7 +449,7 @@ fn cases(text: &mut String, cause: &Cause) {
         let _ = writeln!(text, "- {}: {cases}", inline(claim));
     }
     if let Some(others) = claims.get(MAX_CLAIMS..).filter(|others| !others.is_empty()) {
-        let _ = writeln!(text, "- {} others", others.len());
+        let _ = writeln!(text, "- {}", counted(others.len() as u64, "other", "others"));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
     let mut listed: Vec<ExplainedCases> = Vec::new();
