@@ -7,11 +7,9 @@ use crate::program::Program;
 use crate::question::wrong_values;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::work::{Role, words_of, works};
-use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
+use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::{Code, Family, Value};
 
-/// The difference of a rendered text that has only other blanks, as [`Sign::at`] tells it.
-pub(crate) const OTHER_BLANKS: &str = "blanks";
 /// The differences of a wrong number that no rounding explains, as [`Sign::at`] tells them.
 const TOO_GREAT: &str = "too great";
 const TOO_SMALL: &str = "too small";
@@ -237,8 +235,9 @@ fn number(value: &Value) -> Option<f64> {
 /// Returns how the first lines differ in which a rendered text is not the expected one; of one that is rejected itself, why and
 /// at what.
 fn difference((expected, got): (&[Fact], &[Fact])) -> String {
-    if differ_in_blanks_only(expected, got) {
-        return OTHER_BLANKS.to_owned();
+    if let Some((wanted, reported)) = differing_lines(expected, got) {
+        let [wanted, reported] = [wanted, reported].map(|line| shape(line, KeptTypes::Equal));
+        return format!("{wanted} / {reported}");
     }
     let rejected = got.iter().find_map(|fact| match fact {
         Fact::NotRendered {
@@ -247,19 +246,29 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
         } => Some(rejection.as_deref().unwrap_or_default()),
         _ => None,
     });
-    if let Some(rejection) = rejected {
-        return format!("again {}", shape(rejection, KeptTypes::Equal));
+    match rejected {
+        Some(rejection) => format!("again {}", shape(rejection, KeptTypes::Equal)),
+        None => "lines are missing".to_owned(),
     }
-    let (expected, got) = (Fact::text(expected), Fact::text(got));
-    let mut pairs = expected.lines().zip(got.lines());
-    let Some((wanted, reported)) = pairs.find(|(wanted, reported)| wanted != reported) else {
-        return "lines are missing".to_owned();
+}
+
+/// Returns the first lines in which a rendered text is not the expected one, of those that differ in more than parentheses if there are any.
+pub(crate) fn differing_lines<'f>(expected: &'f [Fact], got: &'f [Fact]) -> Option<(&'f str, &'f str)> {
+    let lines = |facts: &'f [Fact]| {
+        let lines = facts.iter().find_map(|fact| match fact {
+            Fact::Rendered { lines } => Some(&lines[..]),
+            _ => None,
+        });
+        lines.unwrap_or_default()
     };
-    format!(
-        "{} / {}",
-        shape(wanted, KeptTypes::Equal),
-        shape(reported, KeptTypes::Equal)
-    )
+    let pairs = lines(expected).iter().zip(lines(got));
+    let differing = pairs.filter(|(wanted, reported)| wanted != reported);
+    let plain = |line: &str| line.replace(['(', ')', ' '], "");
+    let first = differing
+        .clone()
+        .find(|(wanted, reported)| plain(wanted) != plain(reported));
+    let (wanted, reported) = first.or_else(|| differing.clone().next())?;
+    Some((wanted, reported))
 }
 
 /// Returns whether a diagnostic has no line.

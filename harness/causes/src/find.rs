@@ -11,7 +11,7 @@ use crate::subjects::Subjects;
 use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
-use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Plan, Reduced, RunError, Verdict};
+use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Plan, Reduced, RunError, Symptom, Verdict};
 use stickler_suite::{Case, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
 
@@ -281,8 +281,11 @@ impl Asking<'_> {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
                     asked.only_checks = false;
-                    let one_scan = asked.in_one_scan((case, event), sign)?;
-                    let (case, event, died) = match &one_scan {
+                    let plainer = match sign.symptom {
+                        Symptom::Text => asked.of_rendered_text((case, event))?,
+                        _ => asked.in_one_scan((case, event), sign)?,
+                    };
+                    let (case, event, died) = match &plainer {
                         Some((case, event, sign)) => (case, event, sign),
                         None => (case, event, sign),
                     };

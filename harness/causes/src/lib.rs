@@ -59,6 +59,7 @@ mod promised;
 mod question;
 mod reduced_group;
 mod reduction;
+mod rendered_text;
 mod reproduce;
 mod scans;
 mod shape;

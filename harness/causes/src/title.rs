@@ -2,7 +2,7 @@
 //! program that shows it.
 
 use crate::compiler_place::compiler_place;
-use crate::failure_sign::OTHER_BLANKS;
+use crate::failure_sign::differing_lines;
 use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
 use crate::patterns::is_no_moment;
 use crate::program::{Program, ReadProgram};
@@ -28,7 +28,7 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         got,
         has_codes,
     };
-    titled.sentence(&smallest.deviation.sign.symptom, &smallest.deviation.sign.at)
+    titled.sentence(&smallest.deviation.sign.symptom)
 }
 
 /// A small program of which a title tells.
@@ -40,7 +40,7 @@ struct Titled<'t, 's> {
 }
 
 impl Titled<'_, '_> {
-    fn sentence(&self, symptom: &Symptom, at: &str) -> String {
+    fn sentence(&self, symptom: &Symptom) -> String {
         let (expected, got) = (self.expected, self.got);
         let wanted = first(expected);
         let reported = self.reported(first(got));
@@ -129,7 +129,6 @@ impl Titled<'_, '_> {
             }
             Symptom::FaultLine(fault) => format!("the fault {fault} is reported with another line"),
             Symptom::NotFaulted(fault) => format!("{somewhere} does not stop with the fault {fault}"),
-            Symptom::Text if at == OTHER_BLANKS => "a rendered program has other blanks".to_owned(),
             Symptom::Text => rendered(expected, got),
         }
     }
@@ -387,15 +386,15 @@ fn rendered(expected: &[Fact], got: &[Fact]) -> String {
         } => Some(rejection.as_deref().unwrap_or("no text")),
         _ => None,
     });
-    if let Some(message) = rejected {
-        let message = clipped(message);
-        return format!("what it renders is rejected when that is rendered again: {message}");
-    }
-    let (expected, got) = (Fact::text(expected), Fact::text(got));
-    let mut pairs = expected.lines().zip(got.lines());
-    match pairs.find(|(wanted, reported)| wanted != reported) {
-        Some((wanted, reported)) => format!("`{}` is rendered as `{}`", clipped(wanted), clipped(reported)),
-        None => "a rendered program has other lines".to_owned(),
+    match (differing_lines(expected, got), rejected) {
+        (Some((wanted, reported)), _) => {
+            format!("`{}` is rendered as `{}`", clipped(wanted), clipped(reported))
+        }
+        (None, Some(message)) => {
+            let message = clipped(message);
+            format!("what it renders is rejected when that is rendered again: {message}")
+        }
+        (None, None) => "a rendered program has other lines".to_owned(),
     }
 }
 

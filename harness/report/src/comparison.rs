@@ -1,7 +1,6 @@
 //! Compares two runs: what a later version of a compiler does better, worse, or differently.
 //!
-//! Both runs are read as streams. A few words are kept of each case of the older run, and of the newer run only the
-//! differences, so that memory stays small however many cases there are.
+//! Both runs are read as streams. Of each case of the older run its result is kept, and of the newer run only the differences.
 
 mod older_case;
 mod page;

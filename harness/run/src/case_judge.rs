@@ -1,7 +1,7 @@
 //! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
-use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
+use crate::judge::{judge, renders_bit_access, tells_otherwise_only};
 use crate::{
     Answers, Binding, Claim, Fact, Judgement, Lacks, MatchedBaseline, Observed, Plan, Symptom, Verdict,
     binding, clip_line, promises,
@@ -12,7 +12,7 @@ use stickler_engines::Identity;
 use stickler_suite::{Acceptance, Case, Expectation, Suite, ToldSymptom};
 use stickler_types::Fault;
 
-/// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
+/// The basis of all but the accesses of bits in what is rendered: of words and of rendering again no document speaks.
 const RENDERING: &str = "rule: rendering";
 
 /// The basis of the line of a diagnostic that came without a place, where no document of the makers promises that each has one.
@@ -164,11 +164,11 @@ impl CaseJudge<'_> {
         if !matches!(judgement.verdict, Verdict::Fail | Verdict::Differs) {
             return Cow::from(&*case.basis);
         }
-        if differ_in_blanks_only(expected, got) || renders_bit_access(expected, got) {
+        if renders_bit_access(expected, got) {
             return Cow::from(RENDERING);
         }
         let needed = self.plan.needed(self.engine, case);
-        if !tells_too_little_only(expected, got, needed) {
+        if !tells_otherwise_only(expected, got, needed) {
             return Cow::from(&*case.basis);
         }
         let symptom = Symptom::of_facts(judgement.verdict, (expected, got), needed);

@@ -38,7 +38,7 @@ pub use event::{Totals, Verdict};
 pub use fact::Fact;
 pub use filter::{Filter, pattern_fits, select};
 pub use inherited::{dialect_headers, drop_changed_cases};
-pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
+pub use judge::{Judgement, expected_facts, judge, rendered_bodies};
 pub use lacks::Lacks;
 pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, RunSummary};

@@ -164,6 +164,14 @@ impl Session for &DefectiveCompiler {
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        if let Some(rejection) = self
+            .defects
+            .rejects
+            .iter()
+            .find_map(|line| line.rejection(source))
+        {
+            return rejection;
+        }
         let text = match stickler_reference::render(source, dialect) {
             Ok(text) => text,
             Err(diagnostics) => return Outcome::rejected(diagnostics),

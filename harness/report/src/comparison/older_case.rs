@@ -1,28 +1,13 @@
-//! Keeps a case of the older run in little memory until the newer run comes to it.
+//! Keeps what is compared of a case of the older run until the newer run comes to it.
 
 use super::Kind;
-use crate::text::clip;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_run::{CaseEvent, Fact, Verdict};
 
-/// The maximum number of lines that are kept of the results of a case that did not pass.
-const MAX_KEPT_LINES: usize = 20;
-/// The maximum number of characters that are kept of each line of the results of a case that did not pass.
-const MAX_KEPT_CHARACTERS: usize = 200;
-
-/// A case of the older run: its verdict, and fingerprints of the expected and the actual facts. Texts are kept, in part,
-/// only where the engine did not do what was expected.
+/// A case of the older run: its verdict, and the expected and the actual facts as texts. Of a case that passed, the log has neither.
 pub(super) struct OlderCase {
     /// The verdict in the older run, as if there were no baseline.
     pub(super) verdict: Verdict,
     expectation: u32,
-    said: u64,
-    texts: Option<Box<OlderTexts>>,
-}
-
-/// The texts of a case that did not simply pass.
-struct OlderTexts {
-    /// The text of the expected facts; empty where the log does not contain them.
     expected: String,
     said: String,
 }
@@ -40,18 +25,11 @@ enum Behavior {
 impl OlderCase {
     /// Extracts the parts of a case that the comparison needs.
     pub(super) fn of(case: &CaseEvent) -> OlderCase {
-        let said = said(case, None);
-        let tells_more = case.actual_verdict() != Verdict::Pass || !case.observations.is_empty();
         OlderCase {
             verdict: case.actual_verdict(),
             expectation: case.expectation,
-            said: fingerprint(&said),
-            texts: tells_more.then(|| {
-                Box::new(OlderTexts {
-                    expected: clip(&Fact::text(&case.expected), MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
-                    said: clip(&said, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
-                })
-            }),
+            expected: Fact::text(&case.expected),
+            said: said(case, None),
         }
     }
 
@@ -70,7 +48,7 @@ impl OlderCase {
             (_, Behavior::Right) if behavior(self.verdict) != Behavior::Right => Some(Kind::Fixed),
             // Where the expectation changed and the engine meets both, the suite changed and not the engine.
             (Behavior::Right, Behavior::Right) if self.expects_otherwise(case) => None,
-            (before, now) if before == now && self.said == fingerprint(&said(case, None)) => None,
+            (before, now) if before == now && self.said == said(case, None) => None,
             _ => Some(Kind::Otherwise),
         }
     }
@@ -78,21 +56,18 @@ impl OlderCase {
     /// Returns the text of the current expectation, from the run whose log contains it: a log does not for a case that
     /// passed.
     pub(super) fn expected_now(&self, case: &CaseEvent) -> Option<String> {
-        let then = self.texts.as_ref().map(|texts| &texts.expected);
         let reported = match case.expected.is_empty() {
             false => Some(Fact::text(&case.expected)),
-            true => then.filter(|_| !self.expects_otherwise(case)).cloned(),
+            true => Some(self.expected.clone()).filter(|_| !self.expects_otherwise(case)),
         };
         reported.filter(|text| !text.is_empty())
     }
 
     /// Returns the text of the older result, as far as it is known. `expected` is the text of the current expectation.
     pub(super) fn said(self, expected: Option<&str>, expectation_changed: bool) -> Option<String> {
-        match self.texts {
-            Some(texts) => Some(texts.said),
-            // The engine met the expectation, which has not changed.
-            None => expected.filter(|_| !expectation_changed).map(str::to_owned),
-        }
+        // Where the log says nothing, the engine met the expectation.
+        let met = || expected.filter(|_| !expectation_changed).map(str::to_owned);
+        Some(self.said).filter(|said| !said.is_empty()).or_else(met)
     }
 }
 
@@ -119,13 +94,6 @@ pub(super) fn said(case: &CaseEvent, expected: Option<&str>) -> String {
         .chain(observed)
         .collect();
     facts.join("\n")
-}
-
-/// Returns a fingerprint of a text, which is equal for equal texts only within one process.
-fn fingerprint(text: &str) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    text.hash(&mut hasher);
-    hasher.finish()
 }
 
 #[cfg(test)]

@@ -60,11 +60,11 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
     DiagnosticMatching { steps, same_lines }
 }
 
-/// Returns whether the actual facts of a rejection miss nothing of the expected ones but places or further mistakes: each expected
-/// diagnostic came, or has a counterpart without a line, with the same code where `needed` asks for codes; or some of them came, and
-/// nothing else; or, where lines are compared alone, later lines are said to be unreadable, too or instead.
+/// Returns whether the actual facts of a rejection are those that were expected but for places, further mistakes, or more that is said of
+/// the lines with a mistake: each expected diagnostic came, or has a counterpart without a line, with the same code where `needed` asks for
+/// codes; or some of them came, and nothing else; or, where lines are compared alone, later lines are said to be unreadable, too or instead.
 #[must_use]
-pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
+pub fn tells_otherwise_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
     let diagnostics = |facts: &[Fact]| facts.iter().map(|fact| fact.diagnostic().cloned()).collect();
     let (Some(mut missing), Some(mut extra)): (Option<Vec<Diagnostic>>, Option<Vec<Diagnostic>>) =
         (diagnostics(expected), diagnostics(got))
@@ -91,6 +91,15 @@ pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> 
     };
     if extra.is_empty() {
         return !missing.is_empty() && missing.len() < expected.len();
+    }
+    let is_on =
+        |one: &Diagnostic, fact: &Fact| fact.diagnostic().is_some_and(|wanted| wanted.line == one.line);
+    if missing.is_empty()
+        && extra
+            .iter()
+            .all(|one| expected.iter().any(|fact| is_on(one, fact)))
+    {
+        return true;
     }
     let same_codes = needed == Grade::Line || codes(&missing) == codes(&extra);
     let has_no_place =
