@@ -18,12 +18,12 @@ pub struct FailedCases<'r> {
     /// The engines of the run that are compilers, by name.
     engines: BTreeMap<&'r str, &'r Identity>,
     pub(crate) groups: BTreeMap<(String, Sign, String), FailureGroup>,
-    /// The features that engines lack, by engine and dialect.
+    /// The features that engines lack.
     pub(crate) lacked: LackedFeatures,
 }
 
-/// The keys of the features that engines lack, by engine and dialect.
-pub(crate) type LackedFeatures = BTreeMap<(String, String), BTreeSet<String>>;
+/// The keys of the features that engines lack in one of their dialects, by engine. In another dialect no case may have asked for them.
+pub(crate) type LackedFeatures = BTreeMap<String, BTreeSet<String>>;
 
 /// A group of failing cases.
 #[derive(Clone, Debug)]
@@ -55,13 +55,8 @@ impl<'r> FailedCases<'r> {
         match event {
             Event::Case(case) => self.take_case(case),
             Event::Cause(cause) if cause.is_lack() => {
-                for dialect in cause.lacked_in.keys() {
-                    let key = (cause.engine.clone(), dialect.clone());
-                    self.lacked
-                        .entry(key)
-                        .or_default()
-                        .insert(cause.construct.clone());
-                }
+                let lacked = self.lacked.entry(cause.engine.clone()).or_default();
+                lacked.insert(cause.construct.clone());
             }
             _ => {}
         }

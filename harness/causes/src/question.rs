@@ -270,8 +270,7 @@ impl Questioner<'_> {
     /// Returns whether a program uses a feature that the engine lacks, and the whole program of the case does not: such a program shows
     /// that instead.
     pub(crate) fn uses_what_is_lacking(&self, case: &Case, program: &str) -> bool {
-        let key = (self.judge.engine.name.clone(), case.dialect.as_str().to_owned());
-        let lacked = self.lacked.get(&key);
+        let lacked = self.lacked.get(&self.judge.engine.name);
         lacked.is_some_and(|lacked| brings_in(lacked, (&case.source, program), Dialect::of(case.dialect)))
     }
 
