@@ -10,7 +10,7 @@ use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
 use crate::line_features::{DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
-use crate::normal_form::{BY_PLACE, NUMBERS_PLACELESS, Normal};
+use crate::normal_form::{NUMBERS_PLACELESS, Normal, is_whatever_comes};
 use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
@@ -72,7 +72,7 @@ impl Essence {
         let sign = &normal.deviation.sign;
         // What fails whatever the values are.
         let pattern = match sign.symptom {
-            _ if normal.way == Some(BY_PLACE) => normal.way,
+            _ if normal.way.is_some_and(is_whatever_comes) => normal.way,
             Symptom::Unusable(_) => normal.way,
             Symptom::Value if begins_in_block(&read, normal) => Some("initial value in a FUNCTION_BLOCK"),
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
@@ -101,7 +101,7 @@ impl Essence {
         let (symptom, mut features, is_contained) = match pattern {
             Some(TO_LAST_VALUE) => (Symptom::Value.word(), words([TO_LAST_VALUE]), false),
             // What goes wrong with a value depends on its type.
-            Some(BY_PLACE) => (BY_PLACE.to_owned(), BTreeSet::new(), false),
+            Some(way) if is_whatever_comes(way) => (way.to_owned(), BTreeSet::new(), false),
             // What a compiler of C says depends on what the operand is given to.
             Some(way) if matches!(sign.symptom, Symptom::Unusable(_)) => {
                 ("unusable".to_owned(), words([way]), false)
@@ -133,6 +133,7 @@ impl Essence {
         Essence {
             symptom: named(&symptom),
             pattern: pattern
+                .or(normal.way.filter(|_| tells_way))
                 .or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal"))
                 .or((symptom == INCOMPLETE).then_some("mistakes beside others"))
                 .or(symptom.ends_with(IN_OTHER_UNIT).then_some(PARTS_IN_OTHER_UNIT)),
@@ -165,7 +166,14 @@ impl Essence {
                 && self.constructs.is_subset(features)
                 && !(symptom.starts_with(ACCEPTED) && features.iter().any(computes))
                 && is_checked(&self.constructs) == is_checked(features);
-            self.symptom == symptom && (self.constructs == *features || contains)
+            let unchecked = || {
+                let own = self.constructs.iter().filter(|one| *one != UNCHECKED);
+                self.is_unchecked()
+                    && symptom.starts_with(ACCEPTED)
+                    && own.eq(features)
+                    && COMPUTING.iter().any(|one| features.contains(*one))
+            };
+            self.symptom == symptom && (self.constructs == *features || contains) || unchecked()
         };
         let is_same =
             needs_no_more(&other.symptom, &other.constructs) && self.labels.is_subset(&other.labels);
@@ -376,6 +384,10 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
             "variable"
         };
         features.insert(what.to_owned());
+    }
+    // In which base a number is written does not matter for its size.
+    if code == Code::ConstantOverflow.as_str() && features.remove("OCTAL-LITERAL") && features.is_empty() {
+        features.insert(LITERAL.to_owned());
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::failed::{FailedCases, FailureGroup, LackedFeatures};
 use crate::failure_sign::Sign;
-use crate::growing_cause::{GrowingCause, merged};
+use crate::growing_cause::{GrowingCause, merged, merged_with_neighbours};
 use crate::normal_form::normal_form;
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduced_group::{OpenGroups, ReducedGroup};
@@ -163,6 +163,7 @@ fn find_before_end(
         let stop = || search.cancel.is_requested() || half.is_some_and(|end| Instant::now() >= end);
         end_questions_at(half.map(|end| (end, QUESTION_TIME)));
         asking.neighbours(&mut causes, &stop)?;
+        let mut causes = merged_with_neighbours(causes);
         end_questions_at(end.map(|end| (end, Duration::MAX)));
         asking.reproduce(&mut causes)?;
         found.extend(causes);

@@ -5,6 +5,7 @@ use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, has_lost_place, is_unread};
+use crate::key::CauseKey;
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
 use crate::program::read;
@@ -27,6 +28,8 @@ pub(crate) struct GrowingCause {
     pub(crate) cause: Cause,
     pub(crate) essence: Essence,
     pub(crate) sign: Sign,
+    /// The keys of the neighbours of its program with which the engine deviates in the same way.
+    pub(crate) neighbours: Vec<CauseKey>,
     /// The arguments that the ids of all cases have.
     shared: BTreeSet<String>,
     /// Whether the shown claim does not bind the engine.
@@ -129,6 +132,17 @@ impl GrowingCause {
         let basis = told.as_deref().or(promised.as_deref());
         let basis = basis.unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none() && told.is_none();
+        // What is accepted is forbidden by the page about its code, where the makers say no more of it.
+        let of_code = match &shown.deviation.sign.symptom {
+            Symptom::NotRejected(code) if group.shown.verdict != Verdict::Differs => {
+                sources.of_code(code, &engine.name)
+            }
+            _ => None,
+        };
+        let basis = match rank(basis, &group.shown.engine, sources) {
+            0 => basis,
+            _ => of_code.as_deref().unwrap_or(basis),
+        };
         // A code is owed to the page that is about it.
         let is_of_page = match &shown.deviation.sign.symptom {
             Symptom::NotRejected(code) => basis.ends_with(code.as_str()),
@@ -141,12 +155,13 @@ impl GrowingCause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
             construct: essence.construct(),
-            title: match essence
-                .pattern
-                .or(essence.is_unchecked().then_some("types are not checked"))
-            {
-                Some(pattern) => format!("{pattern}: {}", title(shown, engine.grade == Grade::Code)),
-                None => title(shown, engine.grade == Grade::Code),
+            title: {
+                let by_chance = smallest.flaky.as_ref().map(|_| "in some runs");
+                let unchecked = essence.is_unchecked().then_some("types are not checked");
+                let words = [by_chance, essence.pattern.or(unchecked)];
+                let words = words.into_iter().flatten().map(str::to_owned);
+                let said = title(shown, engine.grade == Grade::Code);
+                words.chain([said]).collect::<Vec<_>>().join(": ")
             },
             shown: Reproducer {
                 case: group.shown.id.clone(),
@@ -178,6 +193,7 @@ impl GrowingCause {
             cause,
             essence,
             sign: shown.deviation.sign.clone(),
+            neighbours: Vec::new(),
             shared: group.shared.clone(),
             keeps_claim,
             agreeing: 0,
@@ -256,9 +272,9 @@ impl GrowingCause {
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
-    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then what more cases
+    /// of which the claim of their case still speaks, then claims by their rank, then what does least, then claims by the number of cases that rest on them, then what more cases
     /// show, by powers of two, then the smaller program.
-    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, Reverse<u64>, Reverse<u32>, usize, &str) {
+    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, usize, Reverse<u64>, Reverse<u32>, usize, &str) {
         let program = &self.cause.shown.program;
         (
             self.differs,
@@ -269,6 +285,7 @@ impl GrowingCause {
             },
             self.cause.shown.is_derived,
             self.rank,
+            operations(program).len(),
             Reverse(self.agreeing),
             Reverse(self.own.max(1).ilog2()),
             program.len(),
@@ -338,6 +355,34 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         cause.cause.explain(member.cause);
     }
     causes
+}
+
+/// Merges causes of which a neighbour of one shows the other, where no value is wrong, which may be so for several reasons.
+pub(crate) fn merged_with_neighbours(causes: Vec<GrowingCause>) -> Vec<GrowingCause> {
+    let mut found: Vec<GrowingCause> = Vec::new();
+    for mut member in causes {
+        let shows = |one: &GrowingCause, other: &GrowingCause| {
+            let Essence {
+                symptom, constructs, ..
+            } = &other.essence;
+            let mut keys = one.neighbours.iter();
+            one.essence.pattern == other.essence.pattern
+                && keys.any(|key| key.symptom == *symptom && key.constructs == *constructs)
+        };
+        let same = found
+            .iter_mut()
+            .find(|one| shows(one, &member) || shows(&member, one));
+        match same {
+            Some(one) => {
+                if member.preference() < one.preference() {
+                    std::mem::swap(one, &mut member);
+                }
+                one.cause.explain(member.cause);
+            }
+            None => found.push(member),
+        }
+    }
+    found
 }
 
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.

@@ -69,7 +69,11 @@ impl CauseKey {
     }
 
     fn of_facts(program: &str, verdict: Verdict, facts: (Vec<Fact>, Vec<Fact>)) -> CauseKey {
-        let deviation = Deviation::new(program, verdict, facts, Grade::Rejected);
+        CauseKey::of_deviation(program, Deviation::new(program, verdict, facts, Grade::Rejected))
+    }
+
+    /// Returns the key of a program by how an engine deviates with it.
+    pub(crate) fn of_deviation(program: &str, deviation: Deviation) -> CauseKey {
         let smallest = Smallest::known(program.to_owned(), deviation);
         let essence = Essence::of(&smallest, &Normal::unasked(&smallest));
         let labels = match smallest.deviation.sign.symptom {

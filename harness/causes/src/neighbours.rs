@@ -1,9 +1,11 @@
-//! Asks about the neighbours of a shown program: the same with another type, or another number. They say how far a cause goes.
+//! Asks about the neighbours of a shown program: the same with another type, another number, or in another dialect. They say how far a cause
+//! goes.
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
 use crate::forms::{named_types, with_types};
 use crate::growing_cause::GrowingCause;
+use crate::key::CauseKey;
 use crate::malformed::number_of_literal;
 use crate::program::{Program, ReadProgram, read};
 use crate::question::Questioner;
@@ -42,11 +44,17 @@ impl Asking<'_> {
             Ok::<_, RunError>(self.neighbours_of(asked, member, stop)?)
         };
         let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
-        for (member, neighbours) in causes.iter_mut().zip(found) {
+        for (member, (neighbours, keys)) in causes.iter_mut().zip(found) {
             if let Some(first) = first_wrong(&neighbours) {
                 member.cause.title += &format!(", from {first} on");
             }
+            let own = format!("`{}`", member.cause.shown.dialect);
+            let mut others = neighbours.iter().filter(|one| one.replaced == own).peekable();
+            if others.peek().is_some() && others.all(|one| !one.is_same) {
+                member.cause.title += &format!(", in {own} alone");
+            }
             member.cause.shown.neighbours = neighbours;
+            member.neighbours = keys;
         }
         Ok(())
     }
@@ -56,33 +64,47 @@ impl Asking<'_> {
         asked: &mut Questioner<'_>,
         member: &GrowingCause,
         stop: &dyn Fn() -> bool,
-    ) -> Result<Vec<Neighbour>, EngineError> {
+    ) -> Result<(Vec<Neighbour>, Vec<CauseKey>), EngineError> {
         let (cause, shown, symptom) = (&member.cause, &member.cause.shown, &member.sign.symptom);
         let is_asked = !cause.is_partly_reduced() && cause.flaky.is_none();
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
         let Some(known) = known.filter(|_| is_asked && is_reducible(symptom) && *symptom != Symptom::Text)
         else {
-            return Ok(Vec::new());
+            return Ok(Default::default());
         };
         let as_shown = |program: &str| as_the_reference(known, program, &all_variables(known, program));
         let Some(own) = as_shown(&shown.program) else {
-            return Ok(Vec::new());
+            return Ok(Default::default());
         };
         asked.only_checks = member.sign.accepts();
         // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
         let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
         let tells = !is_value && !member.sign.accepts();
         // A neighbour has the same mistakes.
+        let has_mistakes = |case: &Case| {
+            let (told, wanted) = (&case.expectation, &own.expectation);
+            let codes = wanted.diagnostics.iter().map(|one| one.code);
+            told.accepted == wanted.accepted && told.diagnostics.iter().map(|one| one.code).eq(codes)
+        };
         let with_case = |program: &str| {
             as_shown(program).filter(|case| {
-                let (told, wanted) = (&case.expectation, &own.expectation);
-                let codes = wanted.diagnostics.iter().map(|one| one.code);
-                told.accepted == wanted.accepted
-                    && told.diagnostics.iter().map(|one| one.code).eq(codes)
+                has_mistakes(case)
                     && (member.sign.accepts() || is_as_standard(&own, program))
                     && !asked.uses_what_is_lacking(known, program)
             })
         };
+        let dialects = self.engine.identity().dialects.iter().copied();
+        let dialects = dialects.filter(|dialect| *dialect != known.dialect && !dialect.is_variant());
+        let dialects = dialects.filter_map(|dialect| {
+            let there = Case {
+                dialect,
+                ..(*known).clone()
+            };
+            let observed = all_variables(&there, &shown.program);
+            let case = as_the_reference(&there, &shown.program, &observed).filter(has_mistakes)?;
+            Some((neighbour(known.dialect.as_str(), dialect.as_str()), case))
+        });
+        let dialects: Vec<(Neighbour, Case)> = dialects.collect();
         let types = read(&shown.program, |program| with_other_types(program, is_value)).into_iter();
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
@@ -97,6 +119,7 @@ impl Asking<'_> {
         let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
         let place = compiler_place(&shown.got);
+        let mut keys = Vec::new();
         // What goes wrong otherwise says nothing.
         let mut is_same = |case: &Case| {
             if stop() {
@@ -106,9 +129,19 @@ impl Asking<'_> {
             let is_same = seen.as_ref().is_none_or(|seen| {
                 is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
             });
-            Ok(is_same.then_some(seen.is_some()))
+            let is_wrong = seen.is_some();
+            keys.extend(
+                seen.filter(|_| is_same && !is_value)
+                    .map(|seen| CauseKey::of_deviation(&case.source, seen)),
+            );
+            Ok(is_same.then_some(is_wrong))
         };
         let mut found = Vec::new();
+        for (neighbour, case) in dialects {
+            if let Some(is_same) = is_same(&case)? {
+                found.push(Neighbour { is_same, ..neighbour });
+            }
+        }
         for (neighbour, case) in types {
             if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {
                 found.push(Neighbour { is_same, ..neighbour });
@@ -122,7 +155,16 @@ impl Asking<'_> {
                 is_same,
             }));
         }
-        Ok(found)
+        Ok((found, keys))
+    }
+}
+
+/// Returns a neighbour with one word in the place of another, with which the same comes.
+fn neighbour(replaced: &str, by: &str) -> Neighbour {
+    Neighbour {
+        replaced: format!("`{replaced}`"),
+        by: format!("`{by}`"),
+        is_same: true,
     }
 }
 
@@ -184,12 +226,8 @@ fn with_other_types(program: &ReadProgram<'_, '_>, only_alike: bool) -> Vec<(Nei
             .filter(|other| !only_alike && other.family() != ty.family());
         let others = alike.chain(others).filter(|other| !there.contains(other.name()));
         found.extend(others.map(|other| {
-            let neighbour = Neighbour {
-                replaced: format!("`{}`", ty.name()),
-                by: format!("`{}`", other.name()),
-                is_same: true,
-            };
-            (neighbour, with_types(program.text, &[(ty.name(), other.name())]))
+            let program = with_types(program.text, &[(ty.name(), other.name())]);
+            (neighbour(ty.name(), other.name()), program)
         }));
     }
     found

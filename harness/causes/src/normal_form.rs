@@ -7,7 +7,7 @@
 mod draft_judge;
 mod other_forms;
 
-pub(crate) use other_forms::{BY_PLACE, NUMBERS_PLACELESS};
+pub(crate) use other_forms::{NUMBERS_PLACELESS, is_whatever_comes};
 
 use crate::alone::{alone, is_loop_alone, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
@@ -130,6 +130,9 @@ pub(crate) fn normal_form(
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
     if matches!(now, Symptom::Value | Symptom::Rejected(_) | Symptom::Unusable(_)) {
         search.ordered_arguments()?;
+    }
+    if !matches!(now, Symptom::Hang | Symptom::Text | Symptom::NoPlace(_)) {
+        search.cures()?;
     }
     match now {
         _ if search.normal.way.is_some() => {}

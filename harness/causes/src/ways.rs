@@ -55,6 +55,57 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
     })
 }
 
+/// Returns a program with the numbers that are arguments of a function of its own assigned to variables first, which have the types of the
+/// inputs; `None` where it has none.
+pub(crate) fn with_assigned_arguments(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut number = 0;
+    for (part, written) in program.literals() {
+        let callee = part.around.and_then(|around| program.call(around));
+        let is_own = callee.is_some_and(|(name, _)| program.declares(name) && !program.is_instance(name));
+        let is_number = written.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+        let places = part.statement.zip(part.pou).zip(program.target(part));
+        let Some(((statement, pou), ty)) = places.filter(|_| is_own && is_number) else {
+            continue;
+        };
+        let end = end_of_variables(program.text, pou)?;
+        number += 1;
+        let name = format!("given_{number}");
+        edits.replace(end..end, format!("    {name} : {};\n", ty.name()));
+        edits.replace(part.expression.span, name.as_str());
+        let start = statement.span.start as usize;
+        edits.replace(start..start, format!("{name} := {written};\n    "));
+    }
+    (number > 0).then(|| edits.apply(program.text))
+}
+
+/// Returns a program with comparison operators in the place of the comparison functions; `None` where it has none.
+pub(crate) fn with_comparison_operators(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let operators = [
+        ("EQ", "="),
+        ("NE", "<>"),
+        ("LT", "<"),
+        ("LE", "<="),
+        ("GT", ">"),
+        ("GE", ">="),
+    ];
+    let mut calls = program
+        .parts
+        .iter()
+        .filter_map(|part| Some((part, program.call(part.id)?)));
+    calls.find_map(|(part, (function, arguments))| {
+        let operator = operators
+            .iter()
+            .find(|(name, _)| function.eq_ignore_ascii_case(name))?
+            .1;
+        let [Argument::Positional(left), Argument::Positional(right)] = arguments[..] else {
+            return None;
+        };
+        let compared = format!("({} {operator} {})", program.text(left), program.text(right));
+        Some(Edits::replacing(part.expression.span, compared).apply(program.text))
+    })
+}
+
 /// Returns the type of what a complement is made of, which may be another complement in parentheses.
 fn complemented(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<ElementaryType> {
     match program.unit.expression(id)?.kind {

@@ -19,8 +19,28 @@ pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
 /// The way of an engine that passes by their places what is given to standard functions by name.
 pub(crate) const BY_PLACE: &str = "named arguments of a standard function in another order than its inputs";
 
+/// The ways that an engine has of doing wrong whatever comes of it, each with the form of a program that it does right.
+const CURED: [(&str, Form); 2] = [
+    (
+        "number as an argument of a function",
+        ways::with_assigned_arguments,
+    ),
+    (
+        "comparison by a function, where the operator is right",
+        ways::with_comparison_operators,
+    ),
+];
+
+/// A form of a program that does the same; `None` where it has none.
+type Form = fn(&ReadProgram<'_, '_>) -> Option<String>;
+
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
+
+/// Returns whether what comes of a program matters nothing beside the way in which an engine does it.
+pub(crate) fn is_whatever_comes(way: &str) -> bool {
+    way == BY_PLACE || CURED.iter().any(|(cured, _)| *cured == way)
+}
 
 impl NormalSearch<'_, '_> {
     /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. It is the numbers that have none
@@ -46,13 +66,20 @@ impl NormalSearch<'_, '_> {
     }
 
     /// Asks about another form of the program; `None` where there is none, or no question is left.
-    fn ask_form(
-        &mut self,
-        form: fn(&ReadProgram<'_, '_>) -> Option<String>,
-    ) -> Result<Option<Option<Deviation>>, EngineError> {
+    fn ask_form(&mut self, form: Form) -> Result<Option<Option<Deviation>>, EngineError> {
         let form = read(&self.normal.program, form);
         let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
         self.deviation_of(case.as_ref())
+    }
+
+    /// Asks for the forms by which a program is right, whatever comes of it without them.
+    pub(super) fn cures(&mut self) -> Result<(), EngineError> {
+        for (way, form) in CURED {
+            if self.normal.way.is_none() && self.ask_form(form)? == Some(None) {
+                self.normal.way = Some(way);
+            }
+        }
+        Ok(())
     }
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.

@@ -36,6 +36,8 @@ pub struct Defects {
     pub renders: Vec<(String, String)>,
     /// Whether a loop that does not end takes all of its time.
     pub hangs: bool,
+    /// The dialect in which alone it has them.
+    pub only_in: Option<String>,
 }
 
 /// A kind of line that a compiler rejects.
@@ -60,7 +62,7 @@ pub struct WrongValue {
     pub is: String,
 }
 
-/// A compiler with defects, and the programs that it was asked to run.
+/// A compiler with defects, and the programs that it was asked to run, each behind a line with its dialect.
 pub struct DefectiveCompiler {
     pub identity: Identity,
     pub defects: Defects,
@@ -134,7 +136,7 @@ impl Session for &DefectiveCompiler {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let number = {
             let mut asked = self.asked.lock().expect("no test panics while it asks");
-            asked.push(request.source.to_owned());
+            asked.push(format!("{}\n{}", request.dialect, request.source));
             asked.len() - 1
         };
         match self.rejects_every {
@@ -149,6 +151,14 @@ impl Session for &DefectiveCompiler {
                     message: "the dice said no".to_owned(),
                     ..Diagnostic::default()
                 }])
+            }
+            _ if self
+                .defects
+                .only_in
+                .as_ref()
+                .is_some_and(|only| only != request.dialect.as_str()) =>
+            {
+                Defects::default().run(request)
             }
             _ => self.defects.run(request),
         }

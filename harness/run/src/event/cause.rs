@@ -108,9 +108,9 @@ impl Reproducer {
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Neighbour {
-    /// The elementary type, the integer literal or the location in whose place another stands, as a page writes it: `` `INT` ``, `` `%MW10` ``.
+    /// The elementary type, the integer literal, the location or the dialect in whose place another stands, as a page writes it: `` `INT` ``.
     pub replaced: String,
-    /// The type, the literal or the location that stands there instead.
+    /// The type, the literal, the location or the dialect that stands there instead.
     pub by: String,
     /// Whether the engine deviates in the same way; otherwise it does what it must.
     pub is_same: bool,

@@ -169,7 +169,8 @@ fn smallest(lacked: &LackedFeature<'_>, dialect: DialectName, engine: &dyn Engin
     let mut got = lacked.got.clone();
     let mut is_refused = |text: &str| {
         let case = Case::of_program(key, dialect, text);
-        if !case.features().contains(&**key) {
+        // Without a PROGRAM a compiler may refuse what has nothing missing.
+        if !case.features().contains(&**key) || !text.contains("PROGRAM") {
             return Interestingness::Invalid;
         }
         let Ok(outcome) = session.run(&case.request()) else {
