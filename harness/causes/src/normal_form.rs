@@ -131,26 +131,12 @@ pub(crate) fn normal_form(
     if matches!(now, Symptom::Value | Symptom::Rejected(_) | Symptom::Unusable(_)) {
         search.ordered_arguments()?;
     }
-    if !matches!(now, Symptom::Hang | Symptom::Text | Symptom::NoPlace(_)) {
-        search.cures()?;
-    }
+    search.other_forms()?;
     match now {
         _ if search.normal.way.is_some() => {}
-        Symptom::Value | Symptom::Missing => {
-            search.other_forms()?;
-            // The types and values of such an operation do not matter.
-            if search.normal.way.is_none() {
-                search.minimise(&plain_method(true))?;
-            }
-        }
-        Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
-        Symptom::Fault(_) => {
-            search.typed_numbers()?;
-            if search.normal.way.is_none() {
-                search.minimise(&plain_method(false))?;
-            }
-        }
-        Symptom::NotRejected(_) if !search.normal.is_unchecked() => search.swapped_operands()?,
+        // The types and values of such an operation do not matter.
+        Symptom::Value | Symptom::Missing => search.minimise(&plain_method(true))?,
+        Symptom::Rejected(_) | Symptom::Fault(_) => search.minimise(&plain_method(false))?,
         Symptom::NoPlace(_) => search.places()?,
         Symptom::Unusable(_) => {
             search.variables_for_literals()?;

@@ -19,8 +19,11 @@ pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
 /// The way of an engine that passes by their places what is given to standard functions by name.
 pub(crate) const BY_PLACE: &str = "named arguments of a standard function in another order than its inputs";
 
-/// The ways that an engine has of doing wrong whatever comes of it, each with the form of a program that it does right.
-const CURED: [(&str, Form); 2] = [
+/// A form of a program that does the same; `None` where it has none.
+type Form = fn(&ReadProgram<'_, '_>) -> Option<String>;
+
+/// The ways of an engine that matter more than what comes of them, each with the form of a program that it does right.
+const WHATEVER_COMES: [(&str, Form); 2] = [
     (
         "number as an argument of a function",
         ways::with_assigned_arguments,
@@ -31,15 +34,27 @@ const CURED: [(&str, Form); 2] = [
     ),
 ];
 
-/// A form of a program that does the same; `None` where it has none.
-type Form = fn(&ReadProgram<'_, '_>) -> Option<String>;
+/// The ways of an engine that computes wrong values.
+const OF_VALUES: [(&str, Form); 2] = [
+    ("operation in the type of its target", ways::in_two_steps),
+    ("comparison in the type of its first operand", ways::turned_round),
+];
+
+/// The way of an engine that stops where a number is given to another type.
+const OF_FAULTS: [(&str, Form); 1] = [("number with a type of its own", ways::with_typed_numbers)];
+
+/// The way of an engine that accepts a calculation, and rejects it with its operands in the other order.
+const OF_ACCEPTED: [(&str, Form); 1] = [(
+    "operation in the type of its first operand",
+    ways::with_swapped_operands,
+)];
 
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
 /// Returns whether what comes of a program matters nothing beside the way in which an engine does it.
 pub(crate) fn is_whatever_comes(way: &str) -> bool {
-    way == BY_PLACE || CURED.iter().any(|(cured, _)| *cured == way)
+    way == BY_PLACE || WHATEVER_COMES.iter().any(|(cured, _)| *cured == way)
 }
 
 impl NormalSearch<'_, '_> {
@@ -69,25 +84,26 @@ impl NormalSearch<'_, '_> {
     fn ask_form(&mut self, form: Form) -> Result<Option<Option<Deviation>>, EngineError> {
         let form = read(&self.normal.program, form);
         let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
+        let expected = &self.normal.deviation.expected;
+        let is_mistake = expected.iter().any(|fact| fact.diagnostic().is_some());
+        let case = case.filter(|case| (case.expectation.accepted == Acceptance::Rejected) == is_mistake);
         self.deviation_of(case.as_ref())
-    }
-
-    /// Asks for the forms by which a program is right, whatever comes of it without them.
-    pub(super) fn cures(&mut self) -> Result<(), EngineError> {
-        for (way, form) in CURED {
-            if self.normal.way.is_none() && self.ask_form(form)? == Some(None) {
-                self.normal.way = Some(way);
-            }
-        }
-        Ok(())
     }
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     pub(super) fn other_forms(&mut self) -> Result<(), EngineError> {
-        if self.ask_form(ways::in_two_steps)? == Some(None) {
-            self.normal.way = Some("operation in the type of its target");
-        } else if self.ask_form(ways::turned_round)? == Some(None) {
-            self.normal.way = Some("comparison in the type of its first operand");
+        let more: &[(&str, Form)] = match self.normal.deviation.sign.symptom {
+            Symptom::Hang | Symptom::Text | Symptom::NoPlace(_) => return Ok(()),
+            Symptom::NotRejected(_) if self.normal.is_unchecked() => return Ok(()),
+            Symptom::NotRejected(_) => &OF_ACCEPTED,
+            Symptom::Value | Symptom::Missing => &OF_VALUES,
+            Symptom::Fault(_) => &OF_FAULTS,
+            _ => &[],
+        };
+        for (way, form) in WHATEVER_COMES.iter().chain(more) {
+            if self.normal.way.is_none() && self.ask_form(*form)? == Some(None) {
+                self.normal.way = Some(way);
+            }
         }
         Ok(())
     }
@@ -120,14 +136,6 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
-    /// Asks for numbers with the types of what they are given to: where the program does not stop with these, the others have a type
-    /// of their own.
-    pub(super) fn typed_numbers(&mut self) -> Result<(), EngineError> {
-        let is_right = self.ask_form(ways::with_typed_numbers)? == Some(None);
-        self.normal.way = is_right.then_some("number with a type of its own");
-        Ok(())
-    }
-
     /// Asks for variables in the place of literals: where these are right, it is the literals that are not.
     pub(super) fn variables_for_literals(&mut self) -> Result<(), EngineError> {
         let form = read(&self.normal.program, ways::with_variables_for_literals);
@@ -149,17 +157,6 @@ impl NormalSearch<'_, '_> {
                 self.normal.has_variables = true;
             }
         }
-        Ok(())
-    }
-
-    /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
-    /// for that of the result.
-    pub(super) fn swapped_operands(&mut self) -> Result<(), EngineError> {
-        let swapped = read(&self.normal.program, ways::with_swapped_operands);
-        let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
-        let case = case.filter(|case| case.expectation.accepted == Acceptance::Rejected);
-        let is_rejected = self.deviation_of(case.as_ref())? == Some(None);
-        self.normal.way = is_rejected.then_some("operation in the type of its first operand");
         Ok(())
     }
 }

@@ -104,22 +104,19 @@ impl Told<'_> {
     }
 
     /// Returns why a compiler died, or wrote what cannot be built, with the line that it printed, in which files have the names that they have
-    /// beside the page; `None` where it printed none, or the reason has that line as it is.
+    /// beside the page; `None` where it printed none.
     fn printed_line(&self, reason: &str) -> Option<String> {
         const SIGN: &str = "rror: ";
         let tells = |line: &&str| {
             line.split_once(SIGN)
                 .is_some_and(|(_, message)| !message.is_empty() && reason.contains(message))
         };
-        let line = self
-            .printed
-            .lines()
-            .find(tells)
-            .filter(|line| !reason.contains(line))?;
+        let line = self.printed.lines().find(tells)?;
         let what = reason.split_once(": ").map_or("", |(what, _)| what);
-        Some(match line.contains(what) {
-            true => line.to_owned(),
-            false => format!("{what}: {line}"),
+        Some(match reason.split_once(line) {
+            Some((before, _)) => format!("{before}{line}"),
+            None if line.contains(what) => line.to_owned(),
+            None => format!("{what}: {line}"),
         })
     }
 }

@@ -129,6 +129,11 @@ fn what_is_told_of_a_compiler_that_dies_is_what_the_commands_of_the_page_print()
         ),
         "crashed: Error: not yet"
     );
+    let reason = "it ended (exit status: 3); its last words: Error: V9014".to_owned();
+    assert_eq!(
+        told("0\nError: V9014\n", Fact::Crashed { reason }),
+        "crashed: it ended (exit status: 3); its last words: Error: V9014"
+    );
     let silent = stickler_types::Diagnostic {
         code: Some("P0002".to_owned()),
         line: Some(5),
