@@ -6,6 +6,7 @@ use crate::patterns::amount;
 use crate::program::Program;
 use crate::question::wrong_values;
 use crate::shape::{KeptTypes, shape, token_at};
+use crate::words::words;
 use crate::work::{Role, words_of, works};
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::{Code, Family, Value};
@@ -232,12 +233,10 @@ fn number(value: &Value) -> Option<f64> {
     }
 }
 
-/// Returns how the first lines differ in which a rendered text is not the expected one; of one that is rejected itself, why and
-/// at what.
+/// Returns the first words in which a rendered text is not the expected one; of one that is rejected itself, why and at what.
 fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     if let Some((wanted, reported)) = differing_lines(expected, got) {
-        let [wanted, reported] = [wanted, reported].map(|line| shape(line, KeptTypes::Equal));
-        return format!("{wanted} / {reported}");
+        return differing_words(wanted, reported);
     }
     let rejected = got.iter().find_map(|fact| match fact {
         Fact::NotRendered {
@@ -249,6 +248,23 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     match rejected {
         Some(rejection) => format!("again {}", shape(rejection, KeptTypes::Equal)),
         None => "lines are missing".to_owned(),
+    }
+}
+
+/// Returns the forms of the first words in which two lines differ, beside parentheses; nothing certain where they differ in these alone.
+fn differing_words(wanted: &str, reported: &str) -> String {
+    let words = |line| words(line).into_iter().filter(|word| !matches!(*word, "(" | ")"));
+    let (mut wanted, mut reported) = (words(wanted), words(reported));
+    loop {
+        match (wanted.next(), reported.next()) {
+            (None, None) => return "parentheses".to_owned(),
+            (one, other) if one != other => {
+                let form =
+                    |word: Option<&str>| word.map_or(String::new(), |word| shape(word, KeptTypes::Equal));
+                return format!("{} / {}", form(one), form(other));
+            }
+            _ => {}
+        }
     }
 }
 

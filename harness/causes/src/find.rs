@@ -7,11 +7,10 @@ use crate::normal_form::normal_form;
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduced_group::{OpenGroups, ReducedGroup};
 use crate::reduction::reduce;
-use crate::subjects::Subjects;
 use std::collections::{HashMap, HashSet};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
-use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Plan, Reduced, RunError, Symptom, Verdict};
+use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Plan, Reduced, RunError, Verdict};
 use stickler_suite::{Case, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
 
@@ -139,17 +138,11 @@ fn find_before_end(
             progress(reported);
         })?;
         let identity = engine.identity();
-        let bases = groups
-            .iter()
-            .map(|(_, group)| group.shown.basis.as_str())
-            .collect();
-        let subjects = Subjects::of(&bases, &search.suite.cases);
         let pairs = groups.iter().zip(&smallest);
         let members = pairs.map(|((_, group), found)| {
             let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
             let found = (&found.smallest, &found.normal);
-            let case = (case.copied(), &subjects);
-            GrowingCause::new(group, found, case, (identity, search.suite))
+            GrowingCause::new(group, found, case.copied(), (identity, search.suite))
         });
         let mut causes = merged(members.collect());
         for member in &mut causes {
@@ -282,17 +275,22 @@ impl Asking<'_> {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
                     asked.only_checks = false;
-                    let plainer = match sign.symptom {
-                        Symptom::Text => asked.of_rendered_text((case, event))?,
-                        _ => asked.in_one_scan((case, event), sign)?,
-                    };
-                    let (case, event, died) = match &plainer {
+                    let one_scan = asked.in_one_scan((case, event), sign)?;
+                    let (case, event, died) = match &one_scan {
                         Some((case, event, sign)) => (case, event, sign),
                         None => (case, event, sign),
                     };
                     let sign = asked.sign(case, died)?;
                     asked.only_checks = sign.accepts() && sign != *died;
-                    let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
+                    let mut smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
+                    let rendered = asked.of_rendered_text((case, event), &smallest)?;
+                    let case = match &rendered {
+                        Some((case, event, sign)) => {
+                            smallest = reduce(asked, (case, event), sign, tries, &stop)?;
+                            case
+                        }
+                        None => case,
+                    };
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, &stop)?;
                     let mut found = ReducedGroup {

@@ -11,7 +11,6 @@ use crate::normal_form::Normal;
 use crate::program::read;
 use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
-use crate::subjects::Subjects;
 use crate::title::title;
 use crate::words::{tokens, valued_types};
 use crate::work::operations;
@@ -21,7 +20,7 @@ use stickler_engines::Identity;
 use stickler_run::{Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_syntax::tree::Pou;
-use stickler_types::{Code, Dialect};
+use stickler_types::Code;
 
 /// A cause while groups are added to it.
 pub(crate) struct GrowingCause {
@@ -45,11 +44,11 @@ pub(crate) struct GrowingCause {
 }
 
 impl GrowingCause {
-    /// Returns the cause of a group, by its smallest program. `case` is that of the program, and `subjects` what its claim is about.
+    /// Returns the cause of a group, by its smallest program. `case` is that of the program.
     pub(crate) fn new(
         group: &FailureGroup,
         (smallest, normal): (&Smallest, &Normal),
-        (case, subjects): (Option<&Case>, &Subjects<'_>),
+        case: Option<&Case>,
         (engine, suite): (&Identity, &Suite),
     ) -> GrowingCause {
         let sources = &suite.sources;
@@ -106,14 +105,9 @@ impl GrowingCause {
         // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
         // cannot be read.
         let promised = case
-            .filter(|case| {
+            .filter(|_| {
                 let is_refused = essence.constructs.contains(STANDARD_PARAMETER);
-                let dialect = Dialect::of(case.dialect);
-                is_derived
-                    || is_refused
-                    || is_missing(&shown, &essence)
-                    || is_unread(&shown.deviation.got)
-                    || !subjects.are_kept(&group.shown.basis, &shown.program, dialect)
+                is_derived || is_refused || is_missing(&shown, &essence) || is_unread(&shown.deviation.got)
             })
             .filter(|_| group.shown.verdict != Verdict::Differs)
             .and_then(|case| promise(&shown, case, (engine, suite)));

@@ -65,7 +65,6 @@ mod scans;
 mod shape;
 mod smaller_case;
 mod smaller_programs;
-mod subjects;
 mod suspect;
 #[cfg(test)]
 mod tests;

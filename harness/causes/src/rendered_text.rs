@@ -1,27 +1,30 @@
 //! Takes what an engine renders as a program of its own: where it rejects that, whoever writes the same by hand meets the same defect.
 
 use crate::failure_sign::{Sign, differing_lines};
-use crate::question::Questioner;
+use crate::question::{Deviation, Questioner};
+use crate::reduction::Smallest;
 use stickler_engines::EngineError;
 use stickler_run::{CaseEvent, Fact, Symptom};
 use stickler_suite::Case;
 use stickler_types::Outcome;
 
 impl Questioner<'_> {
-    /// Returns the case of a rendered text that must be accepted and that the engine rejects, with what it does; `None` where anything else of
-    /// what it renders is wrong, or the text has a mistake.
+    /// Returns the case of the rendered text of a small program, which must be accepted and the engine rejects, with what it does; `None` where
+    /// anything else of what it renders is wrong, or the text has a mistake.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn of_rendered_text(
         &mut self,
         (case, event): (&Case, &CaseEvent),
+        smallest: &Smallest,
     ) -> Result<Option<(Case, CaseEvent, Sign)>, EngineError> {
         let is_rejected = |fact: &Fact| matches!(fact, Fact::NotRendered { again: true, .. });
-        if !event.got.iter().any(is_rejected) || differing_lines(&event.expected, &event.got).is_some() {
+        let Deviation { expected, got, .. } = &smallest.deviation;
+        if !got.iter().any(is_rejected) || differing_lines(expected, got).is_some() {
             return Ok(None);
         }
-        let Outcome::Rendered { text } = self.session.render(case.dialect, &case.source)? else {
+        let Outcome::Rendered { text } = self.session.render(case.dialect, &smallest.program)? else {
             return Ok(None);
         };
         if !stickler_reference::errors(&text, case.dialect).is_empty() {

@@ -2,6 +2,7 @@
 
 use crate::alone::{binary, calculates, compares};
 use crate::forms::{body, end_of_variables};
+use crate::malformed::number_of_literal;
 use crate::program::ReadProgram;
 use crate::words::{tokens, type_of_word};
 use std::collections::BTreeSet;
@@ -60,10 +61,16 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
 pub(crate) fn with_assigned_arguments(program: &ReadProgram<'_, '_>) -> Option<String> {
     let mut edits = Edits::new();
     let mut number = 0;
-    for (part, written) in program.literals() {
+    let arguments = [Place::Argument, Place::NamedArgument];
+    for part in program
+        .parts
+        .iter()
+        .filter(|part| arguments.contains(&part.place))
+    {
         let callee = part.around.and_then(|around| program.call(around));
         let is_own = callee.is_some_and(|(name, _)| program.declares(name) && !program.is_instance(name));
-        let is_number = written.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+        let written = program.text(part.id);
+        let is_number = number_of_literal(written).is_some() || written.parse::<f64>().is_ok();
         let places = part.statement.zip(part.pou).zip(program.target(part));
         let Some(((statement, pou), ty)) = places.filter(|_| is_own && is_number) else {
             continue;

@@ -253,7 +253,7 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     }
 }
 
-/// Adds what other sources of the makers of a compiler say against the claim.
+/// Adds what other sources of the makers of a compiler, or other parts of the source of the claim, say against it.
 fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     let Reproducer {
         basis, case, program, ..
@@ -263,7 +263,8 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
         .got
         .iter()
         .any(|fact| matches!(fact, Fact::Crashed { .. }));
-    let own = |source: &&Source| source.engines.contains(&cause.engine);
+    let claimed = Basis::of(basis).source;
+    let own = |source: &&Source| source.key == claimed || source.engines.contains(&cause.engine);
     let sources = overview.sources().iter().filter(own);
     let told = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
     let version = overview
