@@ -10,9 +10,10 @@ pub use crate::options::{
     ShiftCounts, TextPositions, ThirdEditionTypes, Widening,
 };
 use crate::{
-    ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
+    ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding, Value,
 };
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use toml::de::DeValue;
 
 /// The kind of a dialect, which says whose cases it has.
@@ -79,6 +80,8 @@ macro_rules! language_choices {
                 names: BTreeMap<String, String> = BTreeMap::new();
                 /// The types that TO_INT and its kin take, by the type that they give, where they do not take all that have a meaning.
                 inputs: BTreeMap<ElementaryType, &'static [ElementaryType]> = BTreeMap::new();
+                /// The values of durations and dates that the system has, in nanoseconds, and the length of which each is a multiple from the least on.
+                ranges: BTreeMap<ElementaryType, (RangeInclusive<i64>, i64)> = BTreeMap::new();
                 /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
                 stated: BTreeMap<&'static str, String> = BTreeMap::new();
                 /// The choices of conversion functions, and of implicit conversions, where systems differ.
@@ -305,6 +308,18 @@ impl Dialect {
         let has_names = !self.names.is_empty();
         let own = has_names.then(|| self.names.get(&name.to_ascii_uppercase()));
         own.flatten().map_or(name, String::as_str)
+    }
+
+    /// Returns whether the system has a value, as far as its documents say of durations and dates.
+    #[must_use]
+    pub fn holds(&self, value: &Value) -> bool {
+        let &Value::Plain { ty, raw } = value else {
+            return true;
+        };
+        let raw = raw.cast_signed();
+        self.ranges.get(&ty).is_none_or(|(range, step)| {
+            range.contains(&raw) && raw.abs_diff(*range.start()) % step.unsigned_abs() == 0
+        })
     }
 
     /// Returns the elementary type of this name, by the standard or of the system's own; it may be one that the dialect does not have.

@@ -48,7 +48,14 @@ pub(super) fn first_difference(
         };
         let [left, right] = programs.map(|program| run(program, inputs, rest, outputs, scans));
         let (left, right) = (left?, right?);
-        if let Some(at) = (0..left.len().max(right.len())).find(|&at| left.get(at) != right.get(at)) {
+        // What becomes of a value that a system does not have, its documents do not say.
+        let is_known =
+            |value: Option<&Value>, at: usize| value.is_none_or(|value| programs[at].0.rules().holds(value));
+        let differs = |&at: &usize| {
+            let values @ [left, right] = [left.get(at), right.get(at)];
+            left != right && is_known(values[0], 0) && is_known(values[1], 1)
+        };
+        if let Some(at) = (0..left.len().max(right.len())).find(differs) {
             let scan = at / outputs.len();
             return Some(Some(Difference {
                 inputs: rest[scan / scans].clone(),
@@ -102,14 +109,12 @@ fn run(
 }
 
 /// Returns combinations of boundary values: all where they are few, a sample otherwise; those that are short to write come first.
-/// A value that a dialect does not have is left out, such as a negative TIME where that is a count without a sign.
+/// A value that a system does not have is left out, such as a negative TIME where that is a count without a sign.
 fn combinations(inputs: &Inputs, dialects: [DialectName; 2]) -> Vec<Vec<Value>> {
-    let is_held = |value: &Value| dialects.iter().all(|dialect| holds(*dialect, value));
+    let is_held = |value: &Value| dialects.iter().all(|dialect| dialect.rules().holds(value));
     let of_type = |ty| {
         let values = boundaries(ty).into_iter().map(|written| written.value);
-        values
-            .filter(|value| !ty.is_moment() || is_held(value))
-            .collect::<Vec<_>>()
+        values.filter(is_held).collect::<Vec<_>>()
     };
     let values: Vec<_> = inputs.iter().map(|(_, ty)| of_type(*ty)).collect();
     let product = values
@@ -135,12 +140,4 @@ fn combinations(inputs: &Inputs, dialects: [DialectName; 2]) -> Vec<Vec<Value>> 
     let mut combinations: Vec<_> = numbers.into_iter().map(combination).collect();
     combinations.sort_by_cached_key(|values| values.iter().map(|value| value.literal().len()).sum::<usize>());
     combinations
-}
-
-/// Returns whether arithmetic in a dialect can give a duration.
-fn holds(dialect: DialectName, value: &Value) -> bool {
-    let (ty, literal) = (value.type_name(), value.literal());
-    let text = format!("PROGRAM main VAR x : {ty} := {literal}; y : {ty}; END_VAR x := x + y; END_PROGRAM");
-    run((dialect, &text), &[], &[Vec::new()], &["x".to_owned()], 1)
-        .is_some_and(|held| held == [value.clone()])
 }
