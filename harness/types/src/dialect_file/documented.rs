@@ -207,19 +207,14 @@ fn ranges(draft: &mut Draft<'_>, keys: &DeTable<'_>) -> Read<()> {
     for (key, value) in keys.iter() {
         let ty = elementary(key.get_ref(), &key.span(), draft)?;
         let literals = texts(key.get_ref(), value)?;
-        let raw = |literal: &String| match Value::parse(literal).ok()? {
-            Value::Plain { ty: of, raw } if of == ty && ty.is_moment() => Some(raw.cast_signed()),
+        let of_type = |literal: &String| match Value::parse(literal) {
+            Ok(Value::Plain { ty: of, raw }) if of == ty && ty.is_moment() => Some(raw.cast_signed()),
             _ => None,
         };
-        let range = match literals.iter().map(raw).collect::<Vec<_>>()[..] {
-            [Some(least), Some(greatest)] => (least..=greatest, 1),
-            [Some(least), Some(greatest), Some(step @ 1..)] => (least..=greatest, step),
-            _ => {
-                let message =
-                    format!("`{ty}` must be a list of the least and the greatest {ty}, and a length");
-                return Err(ConfigurationMistake::at(value.span(), message));
-            }
-        };
+        let range: Option<Vec<i64>> = literals.iter().map(of_type).collect();
+        let range = range.filter(|range| matches!(range.len(), 2 | 3) && range.get(2) != Some(&0));
+        let wrong = format!("`{ty}` must be a list of the least and the greatest {ty}, and a length");
+        let range = range.ok_or_else(|| ConfigurationMistake::at(value.span(), wrong))?;
         draft.dialect.ranges.insert(ty, range);
     }
     Ok(())
