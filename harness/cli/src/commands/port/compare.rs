@@ -1,7 +1,7 @@
 //! Executes two programs on the reference, each in its dialect, on the same inputs, and finds the first output that differs.
 
 use stickler_reference::Limits;
-use stickler_types::boundaries::boundaries;
+use stickler_types::boundaries::{BoundaryDetail, boundaries, neighbourhoods};
 use stickler_types::{
     ClockSetting, DialectName, ElementaryType, Observation, Outcome, RunRequest, Setting, SplitMix64, Value,
 };
@@ -108,20 +108,25 @@ fn run(
     }
 }
 
-/// Returns combinations of boundary values: all where they are few, a sample otherwise; those that are short to write come first.
+/// Returns combinations of boundary values: all where they are few, a sample otherwise; those that are short to write come first. A real
+/// number that is the only input also takes the values beside halves and limits.
 /// A value that a system does not have is left out, such as a negative TIME where that is a count without a sign.
 fn combinations(inputs: &Inputs, dialects: [DialectName; 2]) -> Vec<Vec<Value>> {
     let is_held = |value: &Value| dialects.iter().all(|dialect| dialect.rules().holds(value));
     let of_type = |ty| {
         let values = boundaries(ty).into_iter().map(|written| written.value);
-        values.filter(is_held).collect::<Vec<_>>()
+        let is_alone = inputs.len() == 1 && ty.is_real();
+        let near = is_alone.then(|| neighbourhoods(ty, BoundaryDetail::Coarse));
+        let near = near.into_iter().flatten().map(|raw| Value::plain(ty, raw));
+        let near = near.filter(|value| value.real().is_some_and(f64::is_finite));
+        values.chain(near).filter(is_held).collect::<Vec<_>>()
     };
     let values: Vec<_> = inputs.iter().map(|(_, ty)| of_type(*ty)).collect();
     let product = values
         .iter()
         .map(Vec::len)
         .fold(1, |product: u64, count| product.saturating_mul(count as u64));
-    let numbers: Vec<u64> = match product <= MAX_COMBINATIONS {
+    let numbers: Vec<u64> = match product <= MAX_COMBINATIONS || inputs.len() == 1 {
         true => (0..product).collect(),
         false => SplitMix64::new(0)
             .numbers()

@@ -1,15 +1,19 @@
 //! Suggests how to round a REAL in the other dialect as the one does that makes an integer of it.
 
 use super::{Operation, Typed};
-use stickler_reference::conversion::conversion_function_name;
 use stickler_syntax::tree::ExpressionId;
-use stickler_types::ElementaryType::{Lreal, Real};
-use stickler_types::{Dialect, ElementaryType, Value};
+use stickler_types::ElementaryType::{self, Real};
+use stickler_types::Value;
 
-/// Returns the expressions that round `{x}`, one of which may do in the other dialect what a conversion function does in the one.
+/// Returns expressions for the number `{x}` and the type `{to}`, one of which may do in the other dialect what a conversion function does in the one.
 fn roundings() -> impl Iterator<Item = &'static str> {
     let lines = include_str!("roundings.txt").lines();
     lines.filter(|line| !line.starts_with('#'))
+}
+
+/// Returns an expression that makes an integer of a number.
+fn made(rounding: &str, number: &str, to: &str) -> String {
+    rounding.replace("{x}", number).replace("{to}", to)
 }
 
 impl Typed<'_> {
@@ -21,19 +25,13 @@ impl Typed<'_> {
         to: ElementaryType,
         result: Option<Value>,
     ) -> Option<String> {
-        let dialect = Dialect::of(self.dialects[1]);
         let mut is_same = |other: String| matches!(self.compare(operation, to, other), Some(None));
         let operand = match operation.operands[..] {
             [] => return Some(result?.to_string()).filter(|result| is_same(result.clone())),
             [(operand, Real)] => operand,
             _ => return None,
         };
-        let widen = conversion_function_name(Real, Lreal, dialect)?;
-        let convert = conversion_function_name(Lreal, to, dialect)?;
-        let written = |rounding: &str, operand: &str| {
-            let rounded = rounding.replace("{x}", &format!("{widen}({operand})"));
-            format!("{convert}({rounded})")
-        };
+        let written = |rounding: &str, operand: &str| made(rounding, operand, to.name());
         let found = roundings().find(|rounding| is_same(written(rounding, "operand0")))?;
         let is_once = found.matches("{x}").count() == 1 || self.is_pure(operand);
         is_once.then(|| written(found, &self.remedied(operand)))
@@ -51,13 +49,12 @@ impl Typed<'_> {
         }
     }
 
-    /// Returns whether an operation converts what was rounded before, which is the same integer everywhere.
+    /// Returns whether an operation is, or is part of, what makes an integer of a REAL so that it is the same everywhere.
     pub(super) fn is_rounded(&self, operation: &Operation) -> bool {
-        let [(operand, _)] = operation.places[..] else {
-            return false;
-        };
-        let text = self.text_of(operand);
-        let mut numbers = text.match_indices(' ').map(|(end, _)| &text[..end]);
-        numbers.any(|number| roundings().any(|rounding| rounding.replace("{x}", number) == text))
+        let text = self.text_of(operation.id);
+        let to = operation.function.rsplit('_').next().unwrap_or_default();
+        let rest = text.split_once("REAL_TO_LREAL(").map_or("", |(_, rest)| rest);
+        let mut numbers = rest.match_indices(')').map(|(end, _)| &rest[..end]);
+        numbers.any(|number| roundings().any(|rounding| made(rounding, number, to).contains(text)))
     }
 }
