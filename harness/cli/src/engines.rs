@@ -282,17 +282,10 @@ pub fn no_such(name: &str, configuration: &ConfigurationFile) -> NoSuchEngine {
 }
 
 fn free(own: &str, taken: &[&str]) -> String {
-    if !taken.contains(&own) {
-        return own.to_owned();
-    }
-    let mut number = 2;
-    loop {
-        let name = format!("{own}-{number}");
-        if !taken.contains(&name.as_str()) {
-            return name;
-        }
-        number += 1;
-    }
+    let numbered = (2..).map(|number| format!("{own}-{number}"));
+    let mut names = std::iter::once(own.to_owned()).chain(numbered);
+    let free = names.find(|name| !taken.contains(&name.as_str()));
+    free.unwrap_or_default()
 }
 
 #[cfg(test)]

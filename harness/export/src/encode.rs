@@ -31,7 +31,7 @@ pub(crate) fn declarations(ty: ElementaryType) -> String {
 /// `stickler_count`, `stickler_sign`.
 pub(crate) fn statements(ty: ElementaryType, margin: &str) -> String {
     let lines = match ty.family() {
-        Family::Boolean => boolean(&variable(ty)),
+        Family::Boolean => filled(include_str!("encode/boolean.st"), &[("x", &variable(ty))]),
         Family::Signed | Family::Unsigned => integer(ty),
         Family::BitString => bit_string(ty),
         Family::Real => real(ty),
@@ -44,12 +44,6 @@ pub(crate) fn statements(ty: ElementaryType, margin: &str) -> String {
         let _ = writeln!(text, "{margin}{line}");
     }
     text
-}
-
-fn boolean(variable: &str) -> String {
-    format!(
-        "IF {variable} THEN\n    results[stickler_place + 2] := 1;\nELSE\n    results[stickler_place + 2] := 0;\nEND_IF;"
-    )
 }
 
 /// Returns the statements for an integer type: bit by bit from the highest, where a bit is set if the rest is at least as great.
@@ -65,10 +59,9 @@ fn integer(ty: ElementaryType) -> String {
         // The value without its sign bit: what is added is one half twice, since the whole has no literal of the type.
         let half = 1_u64 << (bits - 2);
         let sign = -(1_i64 << ((bits - 1) - lowest_of_piece(bits - 1, bits)));
-        let _ = writeln!(
-            text,
-            "IF {variable} < {name}#0 THEN\n    {variable} := {variable} + {name}#{half};\n    {variable} := {variable} + {name}#{half};\n    \
-             stickler_sum := {sign};\nEND_IF;"
+        text += &filled(
+            include_str!("encode/sign.st"),
+            &[("x", &variable), ("t", &name), ("half", &half), ("sign", &sign)],
         );
     }
     for bit in (0..highest).rev() {
@@ -122,7 +115,7 @@ fn bit_string(ty: ElementaryType) -> String {
 }
 
 /// Fills the places `{name}` of a template.
-fn filled(template: &str, values: &[(&str, &dyn Display)]) -> String {
+pub(crate) fn filled(template: &str, values: &[(&str, &dyn Display)]) -> String {
     let fill = |text: String, (name, value): &(&str, &dyn Display)| {
         text.replace(&format!("{{{name}}}"), &value.to_string())
     };

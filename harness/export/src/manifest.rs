@@ -139,40 +139,25 @@ impl Manifest {
     fn check(&self) -> Result<(), String> {
         for page in &self.pages {
             let ends = if page.is_compiled() { 2 } else { 0 };
-            if page.lines.cases.len() != page.cases.len() + ends {
-                return Err(format!(
-                    "the lines of page {} are not those of its cases",
-                    page.number
-                ));
-            }
             let has_array = (FIRST_OBSERVATION + 1..=MAX_ARRAY_ELEMENTS).contains(&page.elements);
-            if !page.is_compiled() && !has_array {
-                return Err(format!("page {} has no array of results", page.number));
-            }
             let is_outside = |step: &StepRecord| {
                 step.case >= page.cases.len() || step.place.saturating_add(2) >= page.elements.max(3)
             };
-            if page.steps.iter().any(is_outside) {
-                return Err(format!(
-                    "an observation of page {} stands outside it",
-                    page.number
-                ));
-            }
-            if page.answered.iter().any(|case| *case >= page.cases.len()) {
-                return Err(format!(
-                    "page {} has an answer for none of its cases",
-                    page.number
-                ));
-            }
-            if page
-                .lines
-                .cases
-                .iter()
-                .flatten()
-                .any(|(first, last)| first > last)
-            {
-                return Err(format!("lines of page {} end before they begin", page.number));
-            }
+            let mut stretches = page.lines.cases.iter().flatten();
+            let wrong = if page.lines.cases.len() != page.cases.len() + ends {
+                "its lines are not those of its cases"
+            } else if !page.is_compiled() && !has_array {
+                "it has no array of results"
+            } else if page.steps.iter().any(is_outside) {
+                "an observation stands outside it"
+            } else if page.answered.iter().any(|case| *case >= page.cases.len()) {
+                "it has an answer for none of its cases"
+            } else if stretches.any(|(first, last)| first > last) {
+                "lines of it end before they begin"
+            } else {
+                continue;
+            };
+            return Err(format!("page {}: {wrong}", page.number));
         }
         Ok(())
     }

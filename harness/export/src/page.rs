@@ -18,7 +18,7 @@
 //! Whoever deletes the statements of a case, because the compiler does not take them, leaves its elements 0: it was not run,
 //! and nothing else is different.
 
-use crate::encode;
+use crate::encode::{self, filled};
 use crate::encoding::pieces;
 use crate::manifest::StepRecord;
 use crate::page_case::{PageCase, PageKind, expected};
@@ -141,15 +141,16 @@ impl<'c, 'r> PageText<'c, 'r> {
     }
 
     fn head(&self, pages: usize, export: &str) -> String {
-        let PageText { number, cases, .. } = self;
-        let last = self.elements - 1;
-        format!(
-            "(* Stickler: page {number} of {pages}, {}. {export}\n   \
-             Let it run until results[5] is {} and copy the whole array: results[0] to results[{last}].\n   \
-             Where a case is not accepted, note that in answers.txt and export again. *)\n\
-             PROGRAM stickler_page_{number}\nVAR\n    results : ARRAY[0..{last}] OF DINT;\n",
-            counted(cases.len() as u64, "case", "cases"),
-            self.steps.len(),
+        filled(
+            include_str!("page/head.st"),
+            &[
+                ("number", &self.number),
+                ("pages", &pages),
+                ("cases", &counted(self.cases.len() as u64, "case", "cases")),
+                ("export", &export),
+                ("steps", &self.steps.len()),
+                ("last", &(self.elements - 1)),
+            ],
         )
     }
 
@@ -198,11 +199,6 @@ impl<'c, 'r> PageText<'c, 'r> {
 
     fn write_declarations(&mut self, suffixes: &[String]) {
         let mut text = std::mem::take(&mut self.declarations);
-        for name in [
-            "step", "place", "equal", "kind", "count", "sum", "sign", "exponent",
-        ] {
-            let _ = writeln!(text, "    stickler_{name} : DINT;");
-        }
         for ty in self.types() {
             let _ = writeln!(text, "    {}", encode::declarations(ty));
         }
@@ -249,12 +245,14 @@ impl<'c, 'r> PageText<'c, 'r> {
             return;
         }
         let declarations = self.declarations.matches('\n').count();
-        let mut text = format!(
-            "    IF stickler_step < {steps} THEN\n        \
-             stickler_step := stickler_step + 1;\n        stickler_place := 0;\n        stickler_equal := 0;\n        \
-             stickler_kind := 0;\n        results[0] := {MAGIC};\n        results[1] := {};\n        results[2] := {};\n        \
-             results[3] := {steps};\n        results[4] := stickler_step;\n        CASE stickler_step OF\n",
-            self.identity, self.number
+        let mut text = filled(
+            include_str!("page/observations.st"),
+            &[
+                ("steps", &steps),
+                ("magic", &MAGIC),
+                ("identity", &self.identity),
+                ("number", &self.number),
+            ],
         );
         let kinds = self.types();
         for (number, step) in self.steps.iter().enumerate() {
@@ -272,40 +270,20 @@ impl<'c, 'r> PageText<'c, 'r> {
             write_readout(&mut text, ready, step, &renaming, &kinds);
             self.lines[step.case].push((first, declarations + text.matches('\n').count()));
         }
-        text.push_str("        END_CASE;\n");
-        self.write_common(&mut text, &kinds);
-        text.push_str("    END_IF;\n");
+        let kind = |(number, ty): (usize, &ElementaryType)| {
+            let statements = encode::statements(*ty, "            ");
+            format!("        {}: (* {ty} *)\n{statements}", number + 1)
+        };
+        text.push_str(&filled(
+            include_str!("page/common.st"),
+            &[
+                ("steps", &steps),
+                ("last", &(self.elements - 1)),
+                ("identity", &self.identity),
+                ("kinds", &kinds.iter().enumerate().map(kind).collect::<String>()),
+            ],
+        ));
         self.statements = text;
-    }
-
-    /// Writes the statements that follow every observation.
-    fn write_common(&self, text: &mut String, kinds: &[ElementaryType]) {
-        let (steps, last) = (self.steps.len(), self.elements - 1);
-        let _ = write!(
-            text,
-            "        IF stickler_place > 0 THEN
-            results[stickler_place] := {} + stickler_step;
-            results[stickler_place + 1] := stickler_equal;
-        END_IF;
-        IF stickler_equal = 1 THEN results[6] := results[6] + 1; END_IF;
-        IF stickler_equal = 2 THEN results[7] := results[7] + 1; END_IF;
-        CASE stickler_kind OF
-        0: stickler_sum := 0;
-",
-            self.identity
-        );
-        for (number, ty) in kinds.iter().enumerate() {
-            let _ = writeln!(text, "        {}: (* {ty} *)", number + 1);
-            text.push_str(&encode::statements(*ty, "            "));
-        }
-        let _ = write!(
-            text,
-            "        END_CASE;
-        results[5] := stickler_step;
-        IF stickler_step = {steps} THEN results[{last}] := {}; END_IF;
-",
-            self.identity
-        );
     }
 
     /// Returns the types whose values are taken apart, in their order.

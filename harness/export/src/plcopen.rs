@@ -9,9 +9,10 @@ mod declarations;
 mod xml;
 
 use crate::ExportError;
+use crate::encode::filled;
 use crate::page::PageText;
 use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, Event};
+use quick_xml::escape::escape;
 use std::io;
 use std::path::PathBuf;
 use stickler_syntax::parse;
@@ -19,10 +20,7 @@ use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
 use stickler_types::Dialect;
 use stickler_types::DialectName;
-use xml::{TextElement, Xml, attribute, empty, fits, formatted, nested};
-
-/// The namespace of the format.
-const NAMESPACE: &str = "http://www.plcopen.org/xml/tc6_0201";
+use xml::{TextElement, Xml, attribute, fits, formatted, nested};
 
 /// The choice of a project file beside the pages of an export.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -124,78 +122,23 @@ impl Project {
     /// # Errors
     /// [`ExportError::Write`].
     pub(crate) fn write(self, plan: &ProjectPlan, name: &str) -> Result<(), ExportError> {
-        let failed = |error| ExportError::Write(plan.file.clone(), error);
-        let text = self.document(&plan.created, name).map_err(failed)?;
-        std::fs::write(&plan.file, text).map_err(failed)
+        let run = |program: &String| {
+            format!("\n      <pouInstance name=\"run_{program}\" typeName=\"{program}\"/>")
+        };
+        let inside = |xml: Xml| String::from_utf8_lossy(&xml.into_inner()).into_owned();
+        let text = filled(
+            include_str!("plcopen/project.xml"),
+            &[
+                ("version", &env!("CARGO_PKG_VERSION")),
+                ("created", &escape(&plan.created)),
+                ("name", &escape(name)),
+                ("instances", &self.programs.iter().map(run).collect::<String>()),
+                ("data_types", &inside(self.data_types)),
+                ("pous", &inside(self.pous)),
+            ],
+        );
+        std::fs::write(&plan.file, text).map_err(|error| ExportError::Write(plan.file.clone(), error))
     }
-
-    fn document(self, created: &str, name: &str) -> io::Result<Vec<u8>> {
-        let mut xml: Xml = Writer::new_with_indent(Vec::new(), b' ', 1);
-        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("utf-8"), None)))?;
-        nested(&mut xml, "project", [attribute("xmlns", NAMESPACE)], |xml| {
-            write_headers(xml, created, name)?;
-            nested(xml, "types", [], |xml| {
-                write_around(xml, "dataTypes", self.data_types)?;
-                write_around(xml, "pous", self.pous)
-            })?;
-            nested(xml, "instances", [], |xml| {
-                nested(xml, "configurations", [], |xml| {
-                    write_configuration(xml, &self.programs)
-                })
-            })
-        })?;
-        Ok(xml.into_inner())
-    }
-}
-
-/// Writes an element around elements that were written before.
-fn write_around(xml: &mut Xml, name: &str, inside: Xml) -> io::Result<()> {
-    let inside = inside.into_inner();
-    nested(xml, name, [], |xml| {
-        xml.get_mut().extend_from_slice(&inside);
-        Ok(())
-    })
-}
-
-fn write_headers(xml: &mut Xml, created: &str, name: &str) -> io::Result<()> {
-    let producer = [
-        attribute("companyName", "Stickler"),
-        attribute("productName", "Stickler"),
-        attribute("productVersion", env!("CARGO_PKG_VERSION")),
-        attribute("creationDateTime", created),
-    ];
-    empty(xml, "fileHeader", producer)?;
-    nested(xml, "contentHeader", [attribute("name", name)], |xml| {
-        nested(xml, "coordinateInfo", [], |xml| {
-            ["fbd", "ld", "sfc"].into_iter().try_for_each(|language| {
-                let scaling = [attribute("x", "1"), attribute("y", "1")];
-                nested(xml, language, [], |xml| empty(xml, "scaling", scaling))
-            })
-        })
-    })
-}
-
-/// Writes one configuration, whose only task runs all programs.
-fn write_configuration(xml: &mut Xml, programs: &[String]) -> io::Result<()> {
-    let (configuration, resource) = (
-        attribute("name", "stickler"),
-        attribute("name", "stickler_resource"),
-    );
-    let task = [
-        attribute("name", "stickler_task"),
-        attribute("interval", "T#20ms"),
-        attribute("priority", "1"),
-    ];
-    nested(xml, "configuration", [configuration], |xml| {
-        nested(xml, "resource", [resource], |xml| {
-            nested(xml, "task", task, |xml| {
-                programs.iter().try_for_each(|program| {
-                    let name = attribute("name", &format!("run_{program}"));
-                    empty(xml, "pouInstance", [name, attribute("typeName", program)])
-                })
-            })
-        })
-    })
 }
 
 /// The text of a page and its tree.

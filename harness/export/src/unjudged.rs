@@ -45,18 +45,11 @@ impl UnjudgedCases {
             )),
         }
         if !self.not_run.is_empty() {
-            let named = self
-                .not_run
-                .iter()
-                .take(MAX_NAMED_CASES)
-                .cloned()
-                .collect::<Vec<_>>()
-                .join(", ");
-            let rest = self.not_run.len().saturating_sub(MAX_NAMED_CASES);
-            let more = if rest > 0 {
-                format!(" and {rest} more")
-            } else {
-                String::new()
+            let (named, rest) = self.not_run.split_at(self.not_run.len().min(MAX_NAMED_CASES));
+            let named = named.join(", ");
+            let more = match rest.len() {
+                0 => String::new(),
+                rest => format!(" and {rest} more"),
             };
             let hint = match has_state {
                 true => String::new(),

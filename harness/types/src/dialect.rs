@@ -10,7 +10,7 @@ pub use crate::options::{
     ShiftCounts, TextPositions, ThirdEditionTypes, Widening,
 };
 use crate::{
-    ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
+    ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding, Value,
 };
 use std::collections::BTreeMap;
 use toml::de::DeValue;
@@ -79,6 +79,8 @@ macro_rules! language_choices {
                 names: BTreeMap<String, String> = BTreeMap::new();
                 /// The types that TO_INT and its kin take, by the type that they give, where they do not take all that have a meaning.
                 inputs: BTreeMap<ElementaryType, &'static [ElementaryType]> = BTreeMap::new();
+                /// The least and the greatest value of durations and dates that the system has, and the length of which all are multiples, in nanoseconds.
+                ranges: BTreeMap<ElementaryType, Vec<i64>> = BTreeMap::new();
                 /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
                 stated: BTreeMap<&'static str, String> = BTreeMap::new();
                 /// The choices of conversion functions, and of implicit conversions, where systems differ.
@@ -305,6 +307,20 @@ impl Dialect {
         let has_names = !self.names.is_empty();
         let own = has_names.then(|| self.names.get(&name.to_ascii_uppercase()));
         own.flatten().map_or(name, String::as_str)
+    }
+
+    /// Returns whether the system has a value, as far as its documents say of durations and dates.
+    #[must_use]
+    pub fn holds(&self, value: &Value) -> bool {
+        let (Value::Plain { ty, raw }, false) = (value, self.ranges.is_empty()) else {
+            return true;
+        };
+        match (self.ranges.get(ty).map(Vec::as_slice), raw.cast_signed()) {
+            (Some([least, greatest, step @ ..]), raw) => {
+                (*least..=*greatest).contains(&raw) && step.iter().all(|step| raw % step == 0)
+            }
+            _ => true,
+        }
     }
 
     /// Returns the elementary type of this name, by the standard or of the system's own; it may be one that the dialect does not have.

@@ -113,15 +113,16 @@ fn excerpt(line: &str) -> String {
     shortened(&shown, MAX_LINE_LEN)
 }
 
+/// Returns how many checks are right, broken, wrong and skipped.
+fn counts(validation: &Validation) -> [usize; 4] {
+    use CheckVerdict::{Broken, Right, Skipped, Wrong};
+    [Right, Broken, Wrong, Skipped].map(|verdict| validation.count(verdict))
+}
+
 fn conclusion(validation: &Validation) -> String {
-    let count = |judgement| validation.count(judgement);
-    let (right, broken, wrong) = (
-        count(CheckVerdict::Right),
-        count(CheckVerdict::Broken),
-        count(CheckVerdict::Wrong),
-    );
+    let [right, broken, wrong, skipped] = counts(validation);
     let all = right + broken + wrong;
-    let skipped = match count(CheckVerdict::Skipped) {
+    let skipped = match skipped {
         0 => String::new(),
         number => format!("; skipped: {number}"),
     };
@@ -141,11 +142,8 @@ fn conclusion(validation: &Validation) -> String {
 }
 
 fn exit(validation: &Validation) -> Exit {
-    let (broken, wrong) = (
-        validation.count(CheckVerdict::Broken),
-        validation.count(CheckVerdict::Wrong),
-    );
-    match (broken, wrong, validation.count(CheckVerdict::Right)) {
+    let [right, broken, wrong, _] = counts(validation);
+    match (broken, wrong, right) {
         (1.., _, _) => Exit::EngineNotRun,
         (0, 1.., _) => Exit::Failures,
         (0, 0, 0) => Exit::NothingTested,
@@ -161,13 +159,8 @@ mod tests {
     fn words_are_quoted_and_a_line_is_left_as_it_is() {
         let words = ["my adapter".to_owned(), "--quiet".to_owned()];
         assert_eq!(command_line(&words), "'my adapter' --quiet");
-        assert_eq!(
-            command_line(&["cmd:python3 adapter.py".to_owned()]),
-            "python3 adapter.py"
-        );
-        assert_eq!(
-            command_line(&["python3 adapter.py".to_owned()]),
-            "python3 adapter.py"
-        );
+        for line in ["cmd:python3 adapter.py", "python3 adapter.py"] {
+            assert_eq!(command_line(&[line.to_owned()]), "python3 adapter.py");
+        }
     }
 }

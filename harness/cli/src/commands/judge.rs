@@ -106,16 +106,9 @@ impl Judge<'_, '_> {
         let source = Program::read(files)?;
         let traces = trace::read(traces)?;
         let program = self.program(&source, out)?;
+        let engine = self.arguments.engine.as_deref();
         let basis = match &program {
-            Ok((judged, _))
-                if self
-                    .arguments
-                    .engine
-                    .as_deref()
-                    .is_none_or(|name| name == REFERENCE) =>
-            {
-                self.basis.of(&judged.text)
-            }
+            Ok((judged, _)) if engine.is_none_or(|name| name == REFERENCE) => self.basis.of(&judged.text),
             _ => Vec::new(),
         };
         let mut exit = Exit::AsExpected;
@@ -182,8 +175,8 @@ impl Judge<'_, '_> {
             false => {
                 let judged = Judged::of(&text, dialect, unit.map(String::as_str));
                 let judged = judged.with_context(|| source.name())?;
-                match variables(&judged, dialect)? {
-                    Ok(variables) => return Ok(Ok((judged, variables))),
+                match start_values(&judged.text, dialect, MAX_VARIABLES)? {
+                    Ok(values) => return Ok(Ok((judged, Variables::new(values)))),
                     Err(diagnostics) => (judged.text, diagnostics),
                 }
             }
@@ -245,12 +238,6 @@ fn trace_of(file: &Path) -> Option<PathBuf> {
     let of_file = ["json", "csv"].map(|ending| file.with_extension(ending));
     let of_folder = ["trace.json", "trace.csv"].map(|name| file.with_file_name(name));
     of_file.into_iter().chain(of_folder).find(|path| path.is_file())
-}
-
-/// Returns the elementary variables of a program with their values at its start, or the diagnostics of the reference.
-fn variables(judged: &Judged, dialect: DialectName) -> anyhow::Result<Result<Variables, Vec<Diagnostic>>> {
-    let values = start_values(&judged.text, dialect, MAX_VARIABLES)?;
-    Ok(values.map(Variables::new))
 }
 
 /// Returns at most `most` elementary variables of a program with their values at its start, or the diagnostics of the reference.

@@ -160,28 +160,15 @@ fn gather(
 }
 
 fn legend(engines: &[NamedEngine], recordings: &[Recording], out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
+    let (answers, differ) = match engines {
+        [named] if recordings.is_empty() => (format!("engine ({})", named.identity().name), "they differ"),
+        _ => ("engines, as above".to_owned(), "one differs"),
+    };
+    let legend = include_str!("matrix/legend.txt");
+    write!(
         out,
-        "A row is the value's type, a column the target's. In a cell, first the documents:"
-    )?;
-    let alone = engines.len() == 1 && recordings.is_empty();
-    match engines {
-        [named] if alone => {
-            let engine = &named.identity().name;
-            writeln!(
-                out,
-                "y yes, n no, = same type, ? open, blank not said; then the engine ({engine}):"
-            )?;
-        }
-        _ => writeln!(
-            out,
-            "y yes, n no, = same type, ? open, blank not said; then the engines, as above:"
-        )?,
-    }
-    let differ = if alone { "they differ" } else { "one differs" };
-    writeln!(
-        out,
-        "+ accepts, - rejects, ? cannot tell, x fails. ! stands where {differ}."
+        "{}",
+        legend.replace("{engines}", &answers).replace("{differ}", differ)
     )?;
     if engines.len() > 1 {
         let asked: Vec<String> = engines

@@ -115,6 +115,13 @@ impl Finding {
         }
     }
 
+    /// Returns the lines that mean something else in the other dialect, and for which nothing is suggested.
+    fn lines_left(findings: &[Finding]) -> Vec<u32> {
+        let differing = findings.iter().filter(|finding| finding.kind == Kind::Differs);
+        let left = differing.filter(|finding| finding.diagnostic.suggestion.is_none());
+        left.filter_map(|finding| finding.diagnostic.line).collect()
+    }
+
     /// Returns whether something is to be done; a warning of the other dialect asks for nothing.
     fn is_open(&self) -> bool {
         self.kind == Kind::Differs || self.diagnostic.is_error()
@@ -139,10 +146,12 @@ pub fn execute(arguments: &PortArguments, out: &mut dyn Write) -> anyhow::Result
         dialects,
         CaseFolder::locate_any(arguments.cases.as_deref())?,
     );
+    let differing = typed.findings();
     let mut findings = rejected(&text, mistakes, &mut typed, dialects);
-    findings.extend(typed.findings());
-    let part = by_run::accepted_part(&text, dialects);
-    findings.extend(by_run::findings([&part, &part], dialects));
+    let part = by_run::accepted_part(&text, dialects, Finding::lines_left(&differing));
+    let (mended, _) = fix::applied(&part, differing.iter().map(|finding| &finding.diagnostic));
+    findings.extend(differing);
+    findings.extend(by_run::findings([&part, &mended], dialects));
     findings.sort_by_key(|finding| (finding.diagnostic.line, finding.diagnostic.column));
     if !arguments.json {
         let shown: Vec<Diagnostic> = findings
@@ -208,7 +217,7 @@ fn rejected(
         {
             let better = match &diagnostic.suggestion {
                 None => fix::renamed(&diagnostic, text, dialects),
-                Some(_) => fix::span(&diagnostic, text).and_then(|span| typed.widened_at(span)),
+                Some(_) => fix::span(&diagnostic, text).and_then(|span| typed.mended_at(span)),
             };
             diagnostic.suggestion = better.or(diagnostic.suggestion);
             let basis = fix::span(&diagnostic, text).and_then(|span| typed.rejected_by(span));

@@ -14,6 +14,7 @@ use anyhow::bail;
 use std::collections::BTreeMap;
 use std::env;
 use std::io::Write;
+use std::path::PathBuf;
 use std::time::Duration;
 use stickler_causes::Search;
 use stickler_conversions::overview::Statements;
@@ -252,25 +253,17 @@ fn plan(arguments: &RunArguments) -> Plan {
 
 /// Returns the options with which a rerun of a case is judged in the same way.
 fn judged_alike(arguments: &RunArguments) -> String {
-    let mut options = String::new();
-    if let Some(grade) = arguments.strict {
-        options.push_str(" --strict ");
-        options.push_str(grade.as_str());
-    }
-    if let Some(seconds) = arguments.timeout {
-        options.push_str(&format!(" --timeout {seconds}"));
-    }
-    if arguments.strict_rules {
-        options.push_str(" --strict-rules");
-    }
-    for file in &arguments.baseline {
-        options.push_str(" --baseline ");
-        options.push_str(&shell::quote(&file.to_string_lossy()));
-    }
-    if arguments.no_baseline {
-        options.push_str(" --no-baseline");
-    }
-    options
+    let options = [
+        arguments
+            .strict
+            .map(|grade| format!(" --strict {}", grade.as_str())),
+        arguments.timeout.map(|seconds| format!(" --timeout {seconds}")),
+        arguments.strict_rules.then(|| " --strict-rules".to_owned()),
+        arguments.no_baseline.then(|| " --no-baseline".to_owned()),
+    ];
+    let baseline = |file: &PathBuf| format!(" --baseline {}", shell::quote(&file.to_string_lossy()));
+    let baselines = arguments.baseline.iter().map(baseline);
+    options.into_iter().flatten().chain(baselines).collect()
 }
 
 /// The receiver of the events of a run, which passes them to every report.

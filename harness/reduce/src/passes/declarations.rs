@@ -18,19 +18,7 @@ const PLAIN_RESULT: &str = "INT";
 /// Lists changes that drop program organization units, configurations and sections of global variables.
 #[must_use]
 pub fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
-    let spans = view
-        .unit
-        .declarations
-        .iter()
-        .filter_map(|declaration| match declaration {
-            Declaration::Pou(pou) => Some(pou.span),
-            Declaration::Globals(section) => Some(section.span),
-            Declaration::Configuration(configuration) => Some(configuration.span),
-            Declaration::Types(_)
-            | Declaration::Namespace(_)
-            | Declaration::EndNamespace(_)
-            | Declaration::Using(_) => None,
-        });
+    let spans = view.unit.declarations.iter().filter_map(Declaration::span);
     view.only_allowed(spans.map(Edits::removing).collect())
 }
 

@@ -24,6 +24,19 @@ pub enum Declaration<'s> {
     Using(Name<'s>),
 }
 
+impl Declaration<'_> {
+    /// Returns the place of a program organization unit, a configuration or a section of global variables; `None` for others.
+    #[must_use]
+    pub fn span(&self) -> Option<Span> {
+        match self {
+            Declaration::Pou(pou) => Some(pou.span),
+            Declaration::Globals(section) => Some(section.span),
+            Declaration::Configuration(configuration) => Some(configuration.span),
+            _ => None,
+        }
+    }
+}
+
 /// The kind of a program organization unit.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PouKind {

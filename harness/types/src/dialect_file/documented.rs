@@ -7,14 +7,16 @@ use super::table::{ConfigurationMistake, Read, mistake, table, text};
 use crate::choice::Choice;
 use crate::documents::PageOnReals;
 use crate::near::advice;
-use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, ElementaryType, OutOfRange, Rounding};
+use crate::{
+    DeclaredFeatures, Dialect, DialectKind, DialectName, ElementaryType, OutOfRange, Rounding, Value,
+};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the file.
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "title",
     "about",
     "order",
@@ -31,6 +33,7 @@ const KEYS: [&str; 16] = [
     "implicit",
     "names",
     "inputs",
+    "ranges",
 ];
 
 /// The content of the file of a documented system.
@@ -95,6 +98,7 @@ pub fn read_documented(
             "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,
             "names" => names(&mut dialect.names, table(key, value)?)?,
             "inputs" => inputs(&mut draft, table(key, value)?)?,
+            "ranges" => ranges(&mut draft, table(key, value)?)?,
             "page-on-reals" => {
                 dialect.documents.page_on_reals = Some(page_on_reals(table(key, value)?, &at)?)
             }
@@ -193,6 +197,25 @@ fn inputs(draft: &mut Draft<'_>, keys: &DeTable<'_>) -> Read<()> {
         // A few lists for each file, which is read once.
         let types: &'static [ElementaryType] = Vec::leak(types.collect::<Result<_, _>>()?);
         draft.dialect.inputs.insert(to, types);
+    }
+    Ok(())
+}
+
+/// Reads the least and the greatest value of durations and dates, and of which length all are a multiple:
+/// `TIME = ["T#0ms", "T#4294967295ms", "T#1ms"]`.
+fn ranges(draft: &mut Draft<'_>, keys: &DeTable<'_>) -> Read<()> {
+    for (key, value) in keys.iter() {
+        let ty = elementary(key.get_ref(), &key.span(), draft)?;
+        let literals = texts(key.get_ref(), value)?;
+        let of_type = |literal: &String| match Value::parse(literal) {
+            Ok(Value::Plain { ty: of, raw }) if of == ty && ty.is_moment() => Some(raw.cast_signed()),
+            _ => None,
+        };
+        let range: Option<Vec<i64>> = literals.iter().map(of_type).collect();
+        let range = range.filter(|range| matches!(range.len(), 2 | 3) && range.get(2) != Some(&0));
+        let wrong = format!("`{ty}` must be a list of the least and the greatest {ty}, and a length");
+        let range = range.ok_or_else(|| ConfigurationMistake::at(value.span(), wrong))?;
+        draft.dialect.ranges.insert(ty, range);
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use super::compare::first_difference;
 use crate::commands::judge::{Judged, start_values};
 use stickler_syntax::Edits;
 use stickler_syntax::source::LineIndex;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, VariableKind};
+use stickler_syntax::tree::{Pou, PouKind, VariableKind};
 use stickler_types::{Dialect, DialectName};
 
 /// The maximum number of variables of a program.
@@ -15,24 +15,19 @@ const MAX_VARIABLES: usize = 1000;
 /// The number of scans for which each combination of inputs stays.
 const SCANS: usize = 3;
 
-/// Returns the text without the declarations that one of the dialects rejects, and without those that use them. Lines stay where
-/// they are. Empty where what is rejected cannot be left out.
-pub(super) fn accepted_part(text: &str, dialects: [DialectName; 2]) -> String {
+/// Returns the text without the declarations that one of the dialects rejects or that have one of these lines, and without those that
+/// use them. Lines stay where they are. Empty where what is rejected cannot be left out.
+pub(super) fn accepted_part(text: &str, dialects: [DialectName; 2], mut without: Vec<u32>) -> String {
     let mut text = text.to_owned();
     loop {
         let errors = dialects.map(|dialect| stickler_reference::errors(&text, dialect));
-        let lines: Vec<u32> = errors.iter().flatten().filter_map(|error| error.line).collect();
+        let mut lines: Vec<u32> = errors.iter().flatten().filter_map(|error| error.line).collect();
+        lines.append(&mut without);
         let (unit, _) = stickler_syntax::parse(&text, Dialect::of(dialects[0]));
         let index = LineIndex::new(&text);
         let mut edits = Edits::new();
         for declaration in &unit.declarations {
-            let span = match declaration {
-                Declaration::Pou(pou) => pou.span,
-                Declaration::Globals(globals) => globals.span,
-                Declaration::Configuration(configuration) => configuration.span,
-                Declaration::Types(_) => continue,
-                Declaration::Namespace(_) | Declaration::EndNamespace(_) | Declaration::Using(_) => continue,
-            };
+            let Some(span) = declaration.span() else { continue };
             let of_span = index.line(span.start)..=index.line(span.end);
             if lines.iter().any(|line| of_span.contains(line)) {
                 edits.replace(span, span.text(&text).replace(|character| character != '\n', " "));

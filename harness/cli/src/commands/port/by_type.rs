@@ -1,10 +1,13 @@
 //! Finds the conversions, operators and calls of standard functions of a program whose results differ between two dialects: each is
 //! executed alone, in both, on boundary values of the types of its operands.
 
+mod rounding;
+
 use super::Finding;
 use super::compare::{Difference, first_difference};
 use crate::case_folder::CaseFolder;
 use crate::documented;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::overview::AssertedResult;
 use stickler_reference::conversion::conversion_function_name;
@@ -38,6 +41,8 @@ pub(super) struct Typed<'s> {
     asserted: HashMap<String, Vec<AssertedResult>>,
     /// The results of [`first_difference`], by the texts of both programs.
     compared: HashMap<[String; 2], Option<Option<Difference>>>,
+    /// What is suggested to be written instead of an expression.
+    remedies: HashMap<ExpressionId, String>,
 }
 
 /// An operator, a call of a standard function, or a value that is assigned.
@@ -51,6 +56,17 @@ struct Operation {
     places: Vec<(ExpressionId, usize)>,
     /// The different ones of them, with their types.
     operands: Vec<(ExpressionId, ElementaryType)>,
+}
+
+/// Returns the conversion of a value to the type to which it is assigned.
+fn assigned(id: ExpressionId, from: ElementaryType, to: ElementaryType) -> Operation {
+    Operation {
+        id,
+        function: format!("{from}_TO_{to}"),
+        literals: Vec::new(),
+        places: vec![(id, 0)],
+        operands: vec![(id, from)],
+    }
 }
 
 impl<'s> Typed<'s> {
@@ -85,13 +101,17 @@ impl<'s> Typed<'s> {
             implicit: None,
             asserted: HashMap::new(),
             compared: HashMap::new(),
+            remedies: HashMap::new(),
         }
     }
 
     /// Returns what means something else in the other dialect, each place once.
     pub fn findings(&mut self) -> Vec<Finding> {
         let mut found = BTreeMap::new();
-        for TracedUse { expression, kind, .. } in self.uses.clone() {
+        let mut uses = self.uses.clone();
+        // What is written instead of an operand is part of what is written instead of its operation.
+        uses.sort_by_key(|used| self.text_of(used.expression).len());
+        for TracedUse { expression, kind, .. } in uses {
             let (from, to) = match kind {
                 UseKind::Expected {
                     from: Some(from),
@@ -103,21 +123,19 @@ impl<'s> Typed<'s> {
                 _ => continue,
             };
             let operation = self.operation(self.bare(expression));
-            let mut finding = operation.and_then(|operation| self.finding(&operation, to));
+            let operation = operation.filter(|operation| !self.is_rounded(operation));
+            let mut finding = operation.and_then(|operation| {
+                // What a conversion gives does not depend on where it goes.
+                let to = if self.is_conversion(&operation) { from } else { to };
+                self.finding(&operation, to)
+            });
             if finding.is_none() && from != to && !self.is_literal(expression) {
-                let assigned = Operation {
-                    id: expression,
-                    function: format!("{from}_TO_{to}"),
-                    literals: Vec::new(),
-                    places: vec![(expression, 0)],
-                    operands: vec![(expression, from)],
-                };
-                finding = self.finding(&assigned, to);
+                finding = self.finding(&assigned(expression, from, to), to);
             }
             if let Some(finding) = finding {
-                found
-                    .entry(self.expression(expression).span.start)
-                    .or_insert(finding);
+                let Span { start, end } = self.expression(self.bare(expression)).span;
+                // What holds another place comes before it.
+                found.entry((start, Reverse(end))).or_insert(finding);
             }
         }
         found.into_values().collect()
@@ -147,13 +165,21 @@ impl<'s> Typed<'s> {
         bases.find(|basis| !basis.starts_with("rule:")).map(str::to_owned)
     }
 
-    /// Returns what to write at a place instead of an operator so that it computes in as wide a type as before.
-    pub fn widened_at(&mut self, place: Span) -> Option<String> {
-        let mut types = self.types.iter().map(|(id, (_, to))| (*id, *to));
-        let (id, to) = types.find(|(id, _)| self.expression(*id).span == place)?;
-        let operation = self.operation(self.bare(id))?;
-        let widened = self.widened(&operation, to)?;
-        Some(self.in_parentheses(id, widened))
+    /// Returns what to write at a place that the other dialect rejects so that it gives the same there: an operator that computes in as
+    /// wide a type as before, or a conversion function.
+    pub fn mended_at(&mut self, place: Span) -> Option<String> {
+        let mut types = self.types.iter().map(|(id, pair)| (*id, *pair));
+        let (id, (from, to)) = types.find(|(id, _)| self.expression(*id).span == place)?;
+        let operation = self.operation(self.bare(id));
+        if let Some(widened) = operation.and_then(|operation| self.widened(&operation, to)) {
+            return Some(self.in_parentheses(id, widened));
+        }
+        let function = conversion_function_name(from, to, Dialect::of(self.dialects[1]))?;
+        let assigned = assigned(id, from, to);
+        match self.compare(&assigned, to, format!("{function}(operand0)"))? {
+            None => Some(format!("{function}({})", self.remedied(id))),
+            Some(_) => self.rounded(&assigned, to, None),
+        }
     }
 
     /// Returns what takes the place of the inside of an expression, in parentheses where that is.
@@ -170,6 +196,19 @@ impl<'s> Typed<'s> {
 
     fn text_of(&self, id: ExpressionId) -> &'s str {
         self.expression(id).span.text(self.text)
+    }
+
+    fn is_conversion(&self, Operation { function, .. }: &Operation) -> bool {
+        let has = |dialect: &DialectName| !stickler_exact::signatures(function, *dialect).is_empty();
+        self.dialects.iter().any(has)
+    }
+
+    /// Returns the text of an expression, or what is suggested to be written instead.
+    fn remedied(&self, id: ExpressionId) -> String {
+        match self.remedies.get(&self.bare(id)) {
+            Some(remedy) => self.in_parentheses(id, remedy.clone()),
+            None => self.text_of(id).to_owned(),
+        }
     }
 
     fn bare(&self, id: ExpressionId) -> ExpressionId {
@@ -266,7 +305,7 @@ impl<'s> Typed<'s> {
             let mut text = match inner {
                 Some(inside) => self.in_parentheses(*operand, inside),
                 None if variables => format!("operand{number}"),
-                None => self.text_of(*operand).to_owned(),
+                None => self.remedied(*operand),
             };
             if let Some((from, to)) = self.types.get(operand).filter(|(from, to)| widened && from != to) {
                 let function = conversion_function_name(*from, *to, Dialect::of(self.dialects[1]))?;
@@ -311,16 +350,16 @@ impl<'s> Typed<'s> {
     fn finding(&mut self, operation: &Operation, to: ElementaryType) -> Option<Finding> {
         let same = self.written(operation, true, false)?;
         let Difference { inputs, results, .. } = self.compare(operation, to, same)??;
+        let result = results[0].clone();
         let given = if inputs.is_empty() {
             &operation.literals
         } else {
             &inputs
         };
-        let has =
-            |dialect: &DialectName| !stickler_exact::signatures(&operation.function, *dialect).is_empty();
         let dialects = self.dialects;
+        let is_conversion = self.is_conversion(operation);
         let basis = |at: usize| self.basis(&operation.function, given, results[at].as_ref()?, dialects[at]);
-        let basis = dialects.iter().any(has).then(|| [0, 1].map(basis));
+        let basis = is_conversion.then(|| [0, 1].map(basis));
         if basis == Some([None, None]) {
             // What no source states of either system is no difference between them.
             return None;
@@ -336,7 +375,13 @@ impl<'s> Typed<'s> {
         let example = (operands.zip(inputs).collect(), results);
         let span = self.expression(operation.id).span;
         let mut finding = Finding::differs(self.text, span, &quoted(&what), example, self.dialects, basis);
-        finding.diagnostic.suggestion = self.widened(operation, to);
+        let suggestion = self.widened(operation, to);
+        let suggestion = suggestion.or_else(|| self.rounded(operation, to, result));
+        match &suggestion {
+            Some(suggestion) => _ = self.remedies.insert(operation.id, suggestion.clone()),
+            None => finding.diagnostic.message += "; nothing is known that gives the same there",
+        }
+        finding.diagnostic.suggestion = suggestion;
         Some(finding)
     }
 

@@ -1,7 +1,7 @@
 //! Executes two programs on the reference, each in its dialect, on the same inputs, and finds the first output that differs.
 
 use stickler_reference::Limits;
-use stickler_types::boundaries::boundaries;
+use stickler_types::boundaries::{BoundaryDetail, boundaries, neighbourhoods};
 use stickler_types::{
     ClockSetting, DialectName, ElementaryType, Observation, Outcome, RunRequest, Setting, SplitMix64, Value,
 };
@@ -48,7 +48,14 @@ pub(super) fn first_difference(
         };
         let [left, right] = programs.map(|program| run(program, inputs, rest, outputs, scans));
         let (left, right) = (left?, right?);
-        if let Some(at) = (0..left.len().max(right.len())).find(|&at| left.get(at) != right.get(at)) {
+        // What becomes of a value that a system does not have, its documents do not say.
+        let is_known =
+            |value: Option<&Value>, at: usize| value.is_none_or(|value| programs[at].0.rules().holds(value));
+        let differs = |&at: &usize| {
+            let values @ [left, right] = [left.get(at), right.get(at)];
+            left != right && is_known(values[0], 0) && is_known(values[1], 1)
+        };
+        if let Some(at) = (0..left.len().max(right.len())).find(differs) {
             let scan = at / outputs.len();
             return Some(Some(Difference {
                 inputs: rest[scan / scans].clone(),
@@ -101,22 +108,25 @@ fn run(
     }
 }
 
-/// Returns combinations of boundary values: all where they are few, a sample otherwise; those that are short to write come first.
-/// A value that a dialect does not have is left out, such as a negative TIME where that is a count without a sign.
+/// Returns combinations of boundary values: all where they are few, a sample otherwise; those that are short to write come first. A real
+/// number that is the only input also takes the values beside halves and limits.
+/// A value that a system does not have is left out, such as a negative TIME where that is a count without a sign.
 fn combinations(inputs: &Inputs, dialects: [DialectName; 2]) -> Vec<Vec<Value>> {
-    let is_held = |value: &Value| dialects.iter().all(|dialect| holds(*dialect, value));
+    let is_held = |value: &Value| dialects.iter().all(|dialect| dialect.rules().holds(value));
     let of_type = |ty| {
         let values = boundaries(ty).into_iter().map(|written| written.value);
-        values
-            .filter(|value| !ty.is_moment() || is_held(value))
-            .collect::<Vec<_>>()
+        let is_alone = inputs.len() == 1 && ty.is_real();
+        let near = is_alone.then(|| neighbourhoods(ty, BoundaryDetail::Coarse));
+        let near = near.into_iter().flatten().map(|raw| Value::plain(ty, raw));
+        let near = near.filter(|value| value.real().is_some_and(f64::is_finite));
+        values.chain(near).filter(is_held).collect::<Vec<_>>()
     };
     let values: Vec<_> = inputs.iter().map(|(_, ty)| of_type(*ty)).collect();
     let product = values
         .iter()
         .map(Vec::len)
         .fold(1, |product: u64, count| product.saturating_mul(count as u64));
-    let numbers: Vec<u64> = match product <= MAX_COMBINATIONS {
+    let numbers: Vec<u64> = match product <= MAX_COMBINATIONS || inputs.len() == 1 {
         true => (0..product).collect(),
         false => SplitMix64::new(0)
             .numbers()
@@ -135,12 +145,4 @@ fn combinations(inputs: &Inputs, dialects: [DialectName; 2]) -> Vec<Vec<Value>> 
     let mut combinations: Vec<_> = numbers.into_iter().map(combination).collect();
     combinations.sort_by_cached_key(|values| values.iter().map(|value| value.literal().len()).sum::<usize>());
     combinations
-}
-
-/// Returns whether arithmetic in a dialect can give a duration.
-fn holds(dialect: DialectName, value: &Value) -> bool {
-    let (ty, literal) = (value.type_name(), value.literal());
-    let text = format!("PROGRAM main VAR x : {ty} := {literal}; y : {ty}; END_VAR x := x + y; END_PROGRAM");
-    run((dialect, &text), &[], &[Vec::new()], &["x".to_owned()], 1)
-        .is_some_and(|held| held == [value.clone()])
 }

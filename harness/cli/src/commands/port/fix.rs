@@ -42,6 +42,24 @@ pub(super) fn renamed(diagnostic: &Diagnostic, text: &str, dialects: [DialectNam
     [standard.to_owned()].into_iter().chain(own).find(is_known)
 }
 
+/// Returns a text with what is suggested for its places, and the number of the changes. A blank place has none, nor one within another.
+pub(super) fn applied<'d>(
+    text: &str,
+    diagnostics: impl IntoIterator<Item = &'d Diagnostic>,
+) -> (String, u64) {
+    let (mut edits, mut changes, mut last) = (Edits::new(), 0, 0);
+    for diagnostic in diagnostics {
+        let span = span(diagnostic, text).filter(|span| !span.text(text).trim().is_empty());
+        if let (Some(suggestion), Some(span)) = (&diagnostic.suggestion, span)
+            && span.start >= last
+        {
+            edits.replace(span, suggestion);
+            (changes, last) = (changes + 1, span.end);
+        }
+    }
+    (edits.apply(text), changes)
+}
+
 /// Makes the suggested changes in the files of a program, unless the other dialect still rejects it then, or a program, block or function
 /// computes something else there that did not before; says on stderr what was done.
 ///
@@ -58,17 +76,12 @@ pub(super) fn fix(
     let (mut fixed, mut changes) = (text.to_owned(), 0);
     // What is mended may show what else is wrong.
     for _ in 0..MAX_ROUNDS {
-        let mut edits = Edits::new();
-        for diagnostic in &suggested {
-            if let (Some(suggestion), Some(span)) = (&diagnostic.suggestion, span(diagnostic, &fixed)) {
-                edits.replace(span, suggestion);
-                changes += 1;
-            }
-        }
-        if edits.is_empty() {
+        let (edited, made) = applied(&fixed, &suggested);
+        if made == 0 {
             break;
         }
-        fixed = edits.apply(&fixed);
+        fixed = edited;
+        changes += made;
         suggested = stickler_reference::errors(&fixed, dialects[1]);
     }
     let errors = stickler_reference::errors(&fixed, dialects[1]);
@@ -78,7 +91,8 @@ pub(super) fn fix(
             .iter()
             .all(|known| place(&known.diagnostic) != place(one))
     };
-    let found = by_run::findings([text, &fixed], dialects).into_iter();
+    let part = by_run::accepted_part(text, [dialects[0]; 2], Finding::lines_left(findings));
+    let found = by_run::findings([&part, &fixed], dialects).into_iter();
     let differs = found.map(|finding| finding.diagnostic).find(is_new);
     let told = match (changes, errors.first().or(differs.as_ref())) {
         (0, _) => "nothing is changed, for there is no suggestion".to_owned(),

@@ -6,7 +6,7 @@ use std::time::Duration;
 use stickler_conversions::dialect_list;
 use stickler_conversions::sweep::{Difference, MAX_DIFFERENCES, Sampling, Sweep, SweepFindings};
 use stickler_engines::Identity;
-use stickler_types::{DialectName, Value, counted, grouped};
+use stickler_types::{DialectName, Value, counted, grouped, shortened};
 
 /// The maximum number of characters that are shown of a value; texts can be long.
 const MAX_VALUE_LEN: usize = 60;
@@ -170,23 +170,5 @@ impl<'p> SweepPage<'p> {
 
 /// Returns the shortened literal of a value.
 pub(super) fn shown(value: &Value) -> String {
-    let written = value.to_string();
-    match written.char_indices().nth(MAX_VALUE_LEN) {
-        None => written,
-        Some((at, _)) => format!("{}… ({} characters)", &written[..at], written.chars().count()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::shown;
-    use stickler_types::{ElementaryType, Value};
-
-    #[test]
-    fn a_long_text_is_cut_between_its_characters() {
-        let text = Value::text(ElementaryType::Wstring, vec![0xE9; 500]);
-        let shown = shown(&text);
-        assert!(shown.ends_with("characters)"), "{shown}");
-        assert!(shown.chars().count() < 90, "{shown}");
-    }
+    shortened(&value.to_string(), MAX_VALUE_LEN)
 }
