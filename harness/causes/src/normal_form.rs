@@ -115,6 +115,11 @@ pub(crate) fn normal_form(
     if smallest.flaky.is_some() || smallest.program.len() > LONG || is_loop_alone(&smallest.program) {
         return Ok(search.normal);
     }
+    search.whatever_comes()?;
+    if search.normal.way.is_some() {
+        search.normal.questions = tries - search.left;
+        return Ok(search.normal);
+    }
     let symptom = smallest.deviation.sign.symptom.clone();
     search.minimise(&structure_method(&symptom))?;
     let now = search.normal.deviation.sign.symptom.clone();

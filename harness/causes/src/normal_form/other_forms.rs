@@ -90,17 +90,27 @@ impl NormalSearch<'_, '_> {
         self.deviation_of(case.as_ref())
     }
 
-    /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
+    /// Asks for the forms by which a program is right, whatever comes of it without them.
+    pub(super) fn whatever_comes(&mut self) -> Result<(), EngineError> {
+        match self.normal.deviation.sign.symptom {
+            Symptom::Hang | Symptom::Text | Symptom::NoPlace(_) => Ok(()),
+            _ => self.ask_forms(&WHATEVER_COMES),
+        }
+    }
+
+    /// Asks for the forms by which a program with its symptom may be right.
     pub(super) fn other_forms(&mut self) -> Result<(), EngineError> {
-        let more: &[(&str, Form)] = match self.normal.deviation.sign.symptom {
-            Symptom::Hang | Symptom::Text | Symptom::NoPlace(_) => return Ok(()),
-            Symptom::NotRejected(_) if self.normal.is_unchecked() => return Ok(()),
-            Symptom::NotRejected(_) => &OF_ACCEPTED,
-            Symptom::Value | Symptom::Missing => &OF_VALUES,
-            Symptom::Fault(_) => &OF_FAULTS,
-            _ => &[],
-        };
-        for (way, form) in WHATEVER_COMES.iter().chain(more) {
+        match self.normal.deviation.sign.symptom {
+            Symptom::NotRejected(_) if !self.normal.is_unchecked() => self.ask_forms(&OF_ACCEPTED),
+            Symptom::Value | Symptom::Missing => self.ask_forms(&OF_VALUES),
+            Symptom::Fault(_) => self.ask_forms(&OF_FAULTS),
+            _ => Ok(()),
+        }
+    }
+
+    /// Asks for forms of the program, in their order: the first that is right says how the engine does the operation.
+    fn ask_forms(&mut self, forms: &[(&'static str, Form)]) -> Result<(), EngineError> {
+        for (way, form) in forms {
             if self.normal.way.is_none() && self.ask_form(*form)? == Some(None) {
                 self.normal.way = Some(way);
             }
