@@ -72,9 +72,13 @@ impl<'s> Parser<'s, '_> {
                 if let Some(kind) = self.at_object() {
                     return self.pou(kind);
                 }
-                self.expected(
-                    "a declaration (PROGRAM, FUNCTION, FUNCTION_BLOCK, TYPE, VAR_GLOBAL or CONFIGURATION)",
-                );
+                if self.at_any_word(&["ACTIONS", "ACTION"]) {
+                    self.unsupported(self.token().span, "actions");
+                } else {
+                    self.expected(
+                        "a declaration (PROGRAM, FUNCTION, FUNCTION_BLOCK, TYPE, VAR_GLOBAL or CONFIGURATION)",
+                    );
+                }
                 self.bump();
                 self.skip_to_declaration();
                 None

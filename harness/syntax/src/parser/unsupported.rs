@@ -32,12 +32,8 @@ impl<'s> Parser<'s, '_> {
     /// VAR_ACCESS, up to its END_VAR.
     pub(super) fn unsupported_section(&mut self) {
         let token = self.bump();
-        let keyword = token.kind.text();
-        self.unsupported(token.span, &format!("{keyword} sections"));
-        while !self.kind().closes() && !self.kind().opens_section() && !self.kind().opens_declaration() {
-            if self.kind() == TokenKind::End {
-                return;
-            }
+        self.unsupported(token.span, &format!("{} sections", token.kind.text()));
+        while !self.kind().ends_statements() && !self.kind().opens_section() {
             self.bump();
         }
         self.eat(TokenKind::EndVar);
