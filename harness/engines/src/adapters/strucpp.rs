@@ -26,20 +26,12 @@ use driver::{StrucppSubject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use stickler_syntax::features::standard_block;
-use stickler_types::{Dialect, DialectName};
+use stickler_types::DialectName;
 use translator::{Translated, Translator};
 
 /// Returns the recipe that translates a program to C++.
 fn translation(text: impl Into<String>) -> Recipe {
-    let text = text.into();
-    let mut words = stickler_syntax::words(&text, Dialect::of(DialectName::STRUCPP));
-    let command = match words.any(|word| standard_block(word.text).is_some()) {
-        true => "translate-with-library",
-        false => "translate",
-    };
-    drop(words);
-    Recipe::of(PROGRAM, text).step(Compiler::Strucpp, Purpose::Translate, command, &[])
+    Recipe::of(PROGRAM, text).step(Compiler::Strucpp, Purpose::Translate, "translate", &[])
 }
 
 /// Returns the recipe that translates a program to C++, builds it with a driver, and runs it.
@@ -126,6 +118,7 @@ impl Adapter for Strucpp {
         let fingerprint = fingerprint
             .program(&self.node)
             .folder(&self.package.join("dist"))
+            .folder(&self.package.join("libs"))
             .folder(&self.headers)
             .with(self.builder.fingerprint());
         lists

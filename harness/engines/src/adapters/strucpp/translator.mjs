@@ -1,21 +1,16 @@
 // Translates one program after another, so that the compiler starts once: a JSON object a line comes in with `source`, and
 // one goes out with what the compiler says and the C++ that it writes.
-import { readFile } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
 
 const { compile, loadStlibFromString } = await import(pathToFileURL(process.argv[2]).href);
 
-// The standard function blocks, which the package has beside the compiler; they are given to it where a program has one that is not declared.
-const blocks = await readFile(join(dirname(process.argv[2]), "../libs/iec-standard-fb.stlib"), "utf8").then(loadStlibFromString).catch(() => undefined);
-const names = new Set((blocks?.manifest.functionBlocks ?? []).map(({ name }) => name));
-const lacksBlock = ({ message }) => names.has(/^Undefined type '(\w+)'/.exec(message)?.[1].toUpperCase());
-
-function compiled(source) {
-    const alone = compile(source, {});
-    return (alone.errors ?? []).some(lacksBlock) ? compile(source, { libraries: [blocks] }) : alone;
-}
+// The libraries that the command line of the compiler adds by itself: those that the package has beside the compiler.
+const folder = join(dirname(process.argv[2]), "../libs");
+const files = (await readdir(folder).catch(() => [])).filter((name) => name.endsWith(".stlib")).sort();
+const libraries = await Promise.all(files.map((name) => readFile(join(folder, name), "utf8").then(loadStlibFromString)));
 
 // Returns where a diagnostic stands, from 1; line 0 where it does not say. Of a character that it does not know the compiler
 // tells the offset alone.
@@ -28,7 +23,7 @@ function place(source, { message, line, column }) {
 
 function translated(source) {
     try {
-        const { success, errors, warnings, cppCode, headerCode } = compiled(source);
+        const { success, errors, warnings, cppCode, headerCode } = compile(source, { libraries });
         const diagnostics = [...(errors ?? []), ...(warnings ?? [])].map((told) => ({
             message: String(told.message),
             ...place(source, told),
