@@ -16,6 +16,14 @@ use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, Dialect, ElementaryType};
 
+/// Returns whether a name is that of a standard function for one type of a dialect, such as `SQRT_LREAL`.
+fn is_typed(name: &str, dialect: &Dialect) -> bool {
+    name.rsplit_once('_').is_some_and(|(function, ty)| {
+        let ty = ElementaryType::from_name(&ty.to_ascii_uppercase());
+        standard_function(function).is_some() && ty.is_some_and(|ty| dialect.has(ty))
+    })
+}
+
 /// Why the program of a name cannot be called.
 const NO_PROGRAM_IN_FUNCTION: &str = "is a program, which no function may call";
 
@@ -167,7 +175,8 @@ impl<'m> Lowering<'m> {
         }
         match concatenation(name, dialect) {
             Some(concatenation) => Callee::Concatenation(concatenation),
-            None if is_not_implemented(name) => {
+            // Basis: iec-61131-3: Table 21 (typed functions, such as `ADD_INT`).
+            None if is_not_implemented(name) || is_typed(name, dialect) => {
                 Callee::Nothing(Code::NotImplemented, "is known, and not implemented")
             }
             None => Callee::Nothing(Code::FunctionCallUndeclared, "is not declared"),
