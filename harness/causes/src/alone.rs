@@ -7,9 +7,7 @@ use crate::smaller_case::all_values;
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
-use std::ops::Range;
 use stickler_reference::errors;
-use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, StatementKind};
@@ -73,30 +71,6 @@ impl Alone {
 
 /// The beginning of each program with an operand alone.
 const HEAD: &str = "PROGRAM main\nVAR\n";
-
-/// Returns the CONFIGURATION of a program without its variables, with a PROGRAM that does nothing but give a variable a value: where this
-/// does not come, the engine does not run the PROGRAM, or does not show what it does.
-pub(crate) fn configuration_alone(program: &ReadProgram<'_, '_>, value: &Value) -> Option<Alone> {
-    let configuration = program.unit.configurations().next()?;
-    let ty = value.elementary()?;
-    let literal = value.to_string();
-    let is_plain = is_number(ty) || ty == ElementaryType::Bool;
-    let literal = literal
-        .split_once('#')
-        .filter(|_| is_plain)
-        .map_or(&*literal, |(_, plain)| plain);
-    let alone = Alone::assigned(ty, literal);
-    let Range { start, end } = Range::<usize>::from(configuration.span);
-    let mut edits = Edits::replacing(0..start, format!("{}\n", alone.program));
-    for section in configuration.globals.iter().chain(&configuration.configured) {
-        edits.replace(section.span, "");
-    }
-    edits.replace(end..program.text.len(), "\n");
-    Some(Alone {
-        program: without_blank_lines(&edits.apply(program.text)).0,
-        ..alone
-    })
-}
 
 /// Returns the FOR loops of a program whose last value is the first one, each alone with that value; and then one that counts from 1
 /// to 1. The reference says where a loop ends.
@@ -226,7 +200,6 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         }
         let output = program.output(part).filter(|(from, into)| from != into);
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
-        variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
         calls.extend(calls_alone(program, part));
     }
@@ -324,47 +297,6 @@ fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone>
                 .collect()
         }
     }
-}
-
-/// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is
-/// multiplied by a number as it is.
-fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
-    let operands = match (binary(program, part.id), program.call(part.id)) {
-        (Some((operator, left, right)), _) => {
-            (calculates(operator) || compares(operator)).then_some((left, right))
-        }
-        // A function of the library that calculates with two numbers does what its operator does.
-        (None, Some((callee, &[Argument::Positional(left), Argument::Positional(right)]))) => {
-            (!program.declares(callee)).then_some((left, right))
-        }
-        _ => None,
-    };
-    let Some((left, right)) = operands else {
-        return Vec::new();
-    };
-    let (Some(first), Some(second)) = (program.type_of(left), program.type_of(right)) else {
-        return Vec::new();
-    };
-    if first == second || !is_number(first) || !is_number(second) {
-        return Vec::new();
-    }
-    let value = |id: ExpressionId, ty: ElementaryType| {
-        program
-            .literal(id)
-            .map(str::to_owned)
-            .or_else(|| program.some_value(ty))
-    };
-    let mut found = vec![
-        Alone::copied(first, second, value(left, first)),
-        Alone::copied(second, first, value(right, second)),
-    ];
-    // Not every integer may become a REAL, but each does where it is an exponent.
-    if let Some(real) = [first, second].into_iter().find(|ty| ty.is_real())
-        && (first.is_integer() || second.is_integer())
-    {
-        found.push(Alone::copied(ElementaryType::Int, real, Some("1".to_owned())));
-    }
-    found
 }
 
 /// Returns the conversions of the operands of a calculation to the type of what is assigned.

@@ -278,16 +278,6 @@ pub(crate) fn is_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> bool
         .any(|other| other == text)
 }
 
-/// Returns programs in which an integer with a type is one without.
-pub(crate) fn without_prefix(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let typed = program.literals().filter_map(|(part, literal)| {
-        let (prefix, digits) = literal.split_once('#')?;
-        elementary(prefix).filter(|ty| ty.is_integer())?;
-        Some(Edits::replacing(part.expression.span, digits).apply(program.text))
-    });
-    typed.collect()
-}
-
 /// Returns a program in which each partial access selects the first bit or byte, which are there in every type.
 pub(crate) fn with_first_parts(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;

@@ -56,7 +56,6 @@ const LOOP_ALONE: NormalPass = Pass {
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
 const VARIABLE_FOR_BIT: NormalPass =
     alternatives!("give a value to a variable", forms::with_variable_for_bit);
-const UNTYPED_LITERAL: NormalPass = alternatives!("leave the type of a literal out", forms::without_prefix);
 const WHOLE_VARIABLE: NormalPass = alternatives!("assign a whole variable", forms::with_whole_variable);
 const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
 const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
@@ -94,7 +93,7 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
         Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
-        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, UNTYPED_LITERAL],
+        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE],
         Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_BIT, SAME_TYPES],
         Symptom::NotImplemented(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {

@@ -1,6 +1,6 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::alone::{Alone, alone, configuration_alone, loops_alone, shows};
+use crate::alone::{Alone, alone, loops_alone, shows};
 use crate::failure_sign::Sign;
 use crate::guard::Constructs;
 use crate::program::{Program, read};
@@ -186,10 +186,7 @@ fn operand_alone(
     }
     // What a variable begins with is shown by a program that does nothing else.
     let operands = read(&unreduced.program, |program| {
-        let lost = wrong_values(&event.expected, &event.got).next();
-        let surroundings = lost.and_then(|(_, (value, _))| configuration_alone(program, value));
-        let mut found: Vec<Alone> = surroundings.into_iter().collect();
-        found.extend(loops_alone(program, case.dialect));
+        let mut found = loops_alone(program, case.dialect);
         found.extend(alone(program));
         found.into_iter()
     });
