@@ -10,7 +10,7 @@ use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
 use crate::instruction::Instruction;
-use crate::library::is_not_implemented;
+use crate::library::{has_block, is_not_implemented};
 use stickler_syntax::Meaning;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, Name, PouKind};
@@ -20,7 +20,8 @@ use stickler_types::{Code, Dialect, ElementaryType};
 fn is_typed(name: &str, dialect: &Dialect) -> bool {
     name.rsplit_once('_').is_some_and(|(function, ty)| {
         let ty = ElementaryType::from_name(&ty.to_ascii_uppercase());
-        standard_function(function).is_some() && ty.is_some_and(|ty| dialect.has(ty))
+        // What is written in Structured Text is not declared before it is asked for.
+        standard_function(function).is_some() && ty.is_some_and(|ty| dialect.has(ty)) && !has_block(name)
     })
 }
 

@@ -5,6 +5,8 @@ use super::bodies::rendered_bodies;
 use crate::{Fact, Rendering};
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_suite::ExpectedText;
+use stickler_syntax::token::tokens;
+use stickler_types::{Dialect, DialectName};
 
 /// Compares the bodies in the rendered text with the expected lines, whose blanks do not matter, and requires that rendering again
 /// changes nothing and that the rendered program does what the program did.
@@ -21,7 +23,7 @@ pub(super) fn compare(
     let bodies = rendered_bodies(text);
     let wanted = expected.lines.iter().map(|line| line.trim());
     let wanted: Vec<&str> = wanted.filter(|line| !line.is_empty()).collect();
-    let is_alike = |wanted: &str, body: &str| without_blanks(wanted) == without_blanks(body);
+    let is_alike = |wanted: &str, body: &str| words(wanted) == words(body);
     findings.require(wanted.len() == bodies.len());
     let mut wanted = wanted.into_iter();
     // A line that differs in its blanks alone is told as it was expected, so that it hides no line that says something else.
@@ -85,50 +87,23 @@ pub fn renders_bit_access(expected: &[Fact], got: &[Fact]) -> bool {
     expected.is_some() && expected == rendered(got)
 }
 
-/// Returns the accesses of bits of a line, such as `.3` and `.%X3`; the fraction of a number is none.
+/// Returns the accesses of bits of a line, such as `3` of `v.3` and `%X3` of `v.%X3`.
 fn bits(line: &str) -> Vec<String> {
-    let starts = line.match_indices('.').map(|(start, _)| start);
-    let of_variable = starts.filter(|start| {
-        let before = line[..*start].trim_end();
-        let word = before
-            .rsplit(|character: char| !character.is_alphanumeric() && character != '_')
-            .next();
-        before.ends_with(']')
-            || word.is_some_and(|word| word.starts_with(|first: char| !first.is_ascii_digit()))
-    });
-    let is_of_bit = |character: char| character.is_ascii_digit() || matches!(character, '%' | 'X' | 'x');
-    let suffix = |start: usize| -> String {
-        let behind = line[start + 1..].trim_start().chars();
-        behind.take_while(|character| is_of_bit(*character)).collect()
+    let words = words(line);
+    let is_bit = |pair: &&[&str]| {
+        pair[0] == "." && pair[1].starts_with(|sign: char| sign == '%' || sign.is_ascii_digit())
     };
-    let suffixes = of_variable.map(suffix);
-    suffixes
-        .filter(|suffix| suffix.ends_with(|last: char| last.is_ascii_digit()))
+    words
+        .windows(2)
+        .filter(is_bit)
+        .map(|pair| pair[1].to_owned())
         .collect()
 }
 
-/// Returns a line without the blanks that separate no two words, and with one where several did; a text in quotes stays as it
-/// is.
-fn without_blanks(line: &str) -> String {
-    let is_of_a_word = |character: char| character.is_alphanumeric() || matches!(character, '_' | '#');
-    let mut kept = String::with_capacity(line.len());
-    let mut quote = None;
-    let mut blank = false;
-    for character in line.trim().chars() {
-        if quote.is_none() && character.is_whitespace() {
-            blank = true;
-            continue;
-        }
-        if std::mem::take(&mut blank) && kept.ends_with(is_of_a_word) && is_of_a_word(character) {
-            kept.push(' ');
-        }
-        kept.push(character);
-        quote = match quote {
-            None => Some(character).filter(|character| matches!(character, '\'' | '"')),
-            Some(open) => Some(open).filter(|open| *open != character),
-        };
-    }
-    kept
+/// Returns the words, signs and literals of a line, which no blanks change.
+fn words(line: &str) -> Vec<&str> {
+    let tokens = tokens(line, Dialect::of(DialectName::IEC_ED3)).list;
+    tokens.iter().map(|token| token.span.text(line)).collect()
 }
 
 /// Returns the lines as a fact; `None` where there is no line.
