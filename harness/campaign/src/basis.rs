@@ -13,7 +13,6 @@ const LANGUAGE: &str = "iec-61131-3: 7.3";
 /// conversions, else of its bit access, else of what all dialects share. The first of a kind decides.
 ///
 /// The basis is a proposal: a person who promotes a finding may know a better one.
-#[must_use]
 pub fn basis(program: &Program) -> String {
     let mut proposals = Proposals {
         dialect: program.dialect,
@@ -91,7 +90,6 @@ fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -
 }
 
 /// Returns the source that says which code belongs to an error: the registry of the dialect, or else Stickler's own rule.
-#[must_use]
 pub(crate) fn of_code(code: Code, dialect: DialectName) -> String {
     let code = code.as_str();
     match is_ironplc(dialect) && code.starts_with('P') {

@@ -27,7 +27,6 @@ pub struct ReproductionCommands {
 
 impl ReproductionCommands {
     /// Returns two commands: the first judges the saved finding again, the second finds the original again.
-    #[must_use]
     pub fn of(&self, finding: &Finding) -> Vec<String> {
         let option = |name: &str, value: &str| format!(" {name} {}", shell_quote(value));
         let engines: String = self.engines.iter().map(|name| option("--engine", name)).collect();

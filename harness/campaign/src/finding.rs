@@ -181,7 +181,6 @@ impl Finding {
     }
 
     /// Names the finding by what it is, so that it has the same name whoever finds it.
-    #[must_use]
     pub fn named(mut self) -> Finding {
         let who = self.subject().to_owned();
         let mut print = Fnv1a::default();
@@ -203,13 +202,11 @@ impl Finding {
     }
 
     /// Returns the kind of symptom, without the type of a value: what a compiler does wrong it mostly does with several types.
-    #[must_use]
     pub fn kind(&self) -> &str {
         kind(&self.symptom)
     }
 
     /// Returns whether this finding is probably the same as another: the same is wrong with more of the language around it.
-    #[must_use]
     pub fn is_like(&self, simpler: &Finding) -> bool {
         let is_contained = |simpler: BTreeSet<&String>, own: BTreeSet<&String>| {
             !simpler.is_empty() && simpler != own && simpler.is_subset(&own)
@@ -232,7 +229,6 @@ impl Finding {
     }
 
     /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
-    #[must_use]
     pub fn subject(&self) -> &str {
         match &self.engine {
             Some(engine) => &engine.name,
@@ -241,7 +237,6 @@ impl Finding {
     }
 
     /// Returns the unit of the sizes: lines of a program, or bytes where the input is none.
-    #[must_use]
     pub fn unit(&self) -> &'static str {
         match self.program {
             Some(_) => "lines",
@@ -250,32 +245,27 @@ impl Finding {
     }
 
     /// Returns the fuzz target, if one found it and this version of Stickler has it.
-    #[must_use]
     pub fn target(&self) -> Option<FuzzTarget> {
         FuzzTarget::from_word(&self.target)
     }
 
     /// Returns the dialect, if the input is a program and this version of Stickler knows it.
-    #[must_use]
     pub fn dialect(&self) -> Option<DialectName> {
         self.dialect.as_deref()?.parse().ok()
     }
 
     /// Returns whether the program and the input are those that were found.
-    #[must_use]
     pub fn is_as_found(&self) -> bool {
         self.fingerprint == fingerprint(self.program.as_deref(), &self.input)
     }
 
     /// Returns the one of two findings of one name that is worth keeping: seen again before flaky, small before large; the earlier
     /// place where they are alike, so that the choice does not depend on who came first.
-    #[must_use]
     pub fn better(self, other: Finding) -> Finding {
         if self.rank() <= other.rank() { self } else { other }
     }
 
     /// Returns whether this finding would be kept where the other has been.
-    #[must_use]
     pub fn improves_on(&self, other: &Finding) -> bool {
         self.rank() < other.rank()
     }

@@ -22,7 +22,6 @@ const LEAST_LENGTH: u32 = 5;
 
 impl Inputs {
     /// Returns the inputs of this seed.
-    #[must_use]
     pub const fn new(seed: u64) -> Inputs {
         Inputs {
             seed,
@@ -38,7 +37,6 @@ impl Inputs {
     pub const MAX_LEN: usize = 2048;
 
     /// Returns the inputs of the same seed with at most so many bytes, which is taken for the power of two below it.
-    #[must_use]
     pub fn up_to(self, length: usize) -> Inputs {
         let length = length.clamp(Inputs::MIN_LEN, Inputs::MAX_LEN);
         Inputs {
@@ -48,20 +46,17 @@ impl Inputs {
     }
 
     /// Returns the seed.
-    #[must_use]
     pub const fn seed(self) -> u64 {
         self.seed
     }
 
     /// Returns random numbers for the place, which nothing else draws.
-    #[must_use]
     pub const fn draws(self, place: u64) -> SplitMix64 {
         self.row.split(place)
     }
 
     /// Returns the bytes at this place: from 32 on, short ones as often as long ones, so that small programs come as often as
     /// large ones.
-    #[must_use]
     pub fn bytes(self, place: u64) -> Vec<u8> {
         let draws = self.draws(place);
         let length = draws.at(0) % self.lengths;
@@ -75,7 +70,6 @@ impl Inputs {
     }
 
     /// Returns the program at this place, in one of these dialects (in any where none is named).
-    #[must_use]
     pub fn program(self, place: u64, dialects: &[DialectName], open: bool) -> Program {
         let settings = self.settings(place, dialects, open);
         generator::program(&self.bytes(place), &settings)
@@ -85,7 +79,6 @@ impl Inputs {
     ///
     /// A program that has something excluded is replaced by another one, so nothing of it remains, and a program that never
     /// had it is the same as without exclusions.
-    #[must_use]
     pub fn program_without(
         self,
         place: u64,

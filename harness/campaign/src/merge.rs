@@ -18,7 +18,6 @@ pub struct Merged {
 }
 
 /// Puts folders together. It never fails: what cannot be read is told in [`Merged::missing`].
-#[must_use]
 pub fn merge(folders: &[PathBuf]) -> Merged {
     let mut merged = Merged::default();
     let mut parts: BTreeMap<CampaignKey, Vec<(Record, &PathBuf)>> = BTreeMap::new();

@@ -49,7 +49,6 @@ impl CampaignPlan {
     }
 
     /// Returns the number of places of this part, where that is known.
-    #[must_use]
     pub fn share(self) -> Option<u64> {
         let Until::Count(count) = self.until else {
             return None;

@@ -17,7 +17,6 @@ pub struct Replayed {
 
 impl Replayed {
     /// Returns whether anything is still wrong.
-    #[must_use]
     pub fn shows(&self) -> bool {
         self.answers.iter().any(|(_, wrong)| wrong.is_some()) || matches!(self.judged, Some(Err(_)))
     }

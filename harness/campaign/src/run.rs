@@ -51,7 +51,6 @@ pub struct CampaignSummary {
 
 impl CampaignSummary {
     /// Returns whether a campaign that came to its end judged no program at all.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.ended == CampaignEnd::Done && self.passed_over.values().sum::<u64>() == self.programs
     }

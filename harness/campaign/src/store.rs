@@ -96,13 +96,11 @@ impl Store {
     }
 
     /// The folder.
-    #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
     }
 
     /// Returns the folder in which a finding of this name is kept.
-    #[must_use]
     pub fn place(&self, id: &str) -> PathBuf {
         self.folder.join(id)
     }

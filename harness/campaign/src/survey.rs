@@ -102,7 +102,6 @@ pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, CampaignError> {
 impl Survey {
     /// Returns the number of bytes of the largest inputs that suit the speed of the engines: short programs where one takes long,
     /// for these are reduced with fewer questions.
-    #[must_use]
     pub fn input_len(&self) -> usize {
         /// The times for one program from which on inputs are at most so long.
         const LENGTHS: [(Duration, usize); 2] =
@@ -112,7 +111,6 @@ impl Survey {
     }
 
     /// Returns the words for what failed, for [`Exclusions`]: with the dialect where the part did not fail in all of these.
-    #[must_use]
     pub fn words(&self, dialects: &[DialectName]) -> Vec<String> {
         let word = |part: &FailingPart| {
             let fails_in = |dialect: &DialectName| {

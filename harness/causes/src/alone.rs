@@ -200,6 +200,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         }
         let output = program.output(part).filter(|(from, into)| from != into);
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
+        variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
         calls.extend(calls_alone(program, part));
     }
@@ -297,6 +298,47 @@ fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone>
                 .collect()
         }
     }
+}
+
+/// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is
+/// multiplied by a number as it is.
+fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
+    let operands = match (binary(program, part.id), program.call(part.id)) {
+        (Some((operator, left, right)), _) => {
+            (calculates(operator) || compares(operator)).then_some((left, right))
+        }
+        // A function of the library that calculates with two numbers does what its operator does.
+        (None, Some((callee, &[Argument::Positional(left), Argument::Positional(right)]))) => {
+            (!program.declares(callee)).then_some((left, right))
+        }
+        _ => None,
+    };
+    let Some((left, right)) = operands else {
+        return Vec::new();
+    };
+    let (Some(first), Some(second)) = (program.type_of(left), program.type_of(right)) else {
+        return Vec::new();
+    };
+    if first == second || !is_number(first) || !is_number(second) {
+        return Vec::new();
+    }
+    let value = |id: ExpressionId, ty: ElementaryType| {
+        program
+            .literal(id)
+            .map(str::to_owned)
+            .or_else(|| program.some_value(ty))
+    };
+    let mut found = vec![
+        Alone::copied(first, second, value(left, first)),
+        Alone::copied(second, first, value(right, second)),
+    ];
+    // Not every integer may become a REAL, but each does where it is an exponent.
+    if let Some(real) = [first, second].into_iter().find(|ty| ty.is_real())
+        && (first.is_integer() || second.is_integer())
+    {
+        found.push(Alone::copied(ElementaryType::Int, real, Some("1".to_owned())));
+    }
+    found
 }
 
 /// Returns the conversions of the operands of a calculation to the type of what is assigned.

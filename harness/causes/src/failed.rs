@@ -36,7 +36,6 @@ pub(crate) struct FailureGroup {
 
 impl<'r> FailedCases<'r> {
     /// Creates groups without cases, for the run of this plan on these engines.
-    #[must_use]
     pub fn new(plan: &'r Plan, engines: &[&'r dyn Engine]) -> FailedCases<'r> {
         let identities = engines.iter().map(|engine| engine.identity());
         let compilers = identities.filter(|identity| identity.name != Reference::NAME);
@@ -63,7 +62,6 @@ impl<'r> FailedCases<'r> {
     }
 
     /// Returns whether no failing case came.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }

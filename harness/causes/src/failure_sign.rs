@@ -251,21 +251,19 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     }
 }
 
-/// Returns the forms of the first words in which two lines differ, beside parentheses; nothing certain where they differ in these alone.
+/// Returns the forms of the first words in which two lines differ, beside parentheses; of none where they differ in these alone.
 fn differing_words(wanted: &str, reported: &str) -> String {
     let words = |line| words(line).into_iter().filter(|word| !matches!(*word, "(" | ")"));
-    let (mut wanted, mut reported) = (words(wanted), words(reported));
-    loop {
-        match (wanted.next(), reported.next()) {
-            (None, None) => return "parentheses".to_owned(),
-            (one, other) if one != other => {
-                let form =
-                    |word: Option<&str>| word.map_or(String::new(), |word| shape(word, KeptTypes::Equal));
-                return format!("{} / {}", form(one), form(other));
-            }
-            _ => {}
-        }
-    }
+    let (wanted, reported) = (words(wanted), words(reported));
+    let same = wanted
+        .clone()
+        .zip(reported.clone())
+        .take_while(|(one, other)| one == other);
+    let same = same.count();
+    let form = |word: Option<&str>| word.map_or(String::new(), |word| shape(word, KeptTypes::Equal));
+    [wanted, reported]
+        .map(|mut words| form(words.nth(same)))
+        .join(" / ")
 }
 
 /// Returns the first lines in which a rendered text is not the expected one, of those that differ in more than parentheses if there are any.

@@ -17,7 +17,7 @@ use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
-use stickler_run::{Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
+use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_syntax::tree::Pou;
 use stickler_types::Code;
@@ -198,7 +198,6 @@ impl GrowingCause {
     /// Cites who promises the place that all cases have in common, where a valid program is not taken and no claim says why it must be: none
     /// speaks of it, or several do, each of what goes to that place.
     pub(crate) fn cite_place(&mut self, case: &Case, (engine, suite): (&Identity, &Suite)) {
-        self.cite_function(engine, suite);
         self.cite_only_claim(engine, suite);
         let basis = &self.cause.shown.basis;
         let has_others = self.cause.cases.iter().any(|some| some.basis != *basis);
@@ -213,45 +212,20 @@ impl GrowingCause {
         }
     }
 
-    /// Cites the claim of a case that is about the standard function whose parameter refuses a value.
-    fn cite_function(&mut self, engine: &Identity, suite: &Suite) {
-        let constructs = &self.essence.constructs;
-        if self.differs || !constructs.contains(STANDARD_PARAMETER) {
-            return;
-        }
-        let is_about_function = |basis: &str| {
-            let section = basis.split_once(": ").map_or("", |(_, section)| section);
-            constructs.iter().any(|name| name.eq_ignore_ascii_case(section))
-        };
-        let binding =
-            |some: &&ExplainedCases| some.verdict != Verdict::Differs && is_about_function(&some.basis);
-        if let Some(some) = self.cause.cases.iter().find(binding) {
-            let basis = some.basis.clone();
-            self.cause.shown.is_derived = false;
-            self.rest_on(&basis, engine, suite);
-        }
-    }
-
     /// Cites the one claim of all cases, where another one was cited because of the program alone.
     fn cite_only_claim(&mut self, engine: &Identity, suite: &Suite) {
         let cases = &self.cause.cases;
         let [first, rest @ ..] = &cases[..] else { return };
         let is_one = rest.iter().all(|some| some.basis == first.basis);
-        let is_told = matches!(
-            self.sign.symptom,
-            Symptom::NoPlace(_)
-                | Symptom::Crash(_)
-                | Symptom::FaultLine(_)
-                | Symptom::Surplus(_)
-                | Symptom::OtherCode { .. }
-        );
+        // What is accepted is told by its code, and what no program may show by who says so.
+        let is_of_claim = self.sign.rejects_valid() || self.sign.symptom == Symptom::Value;
         let is_rule = |(source, _): (&Source, &str)| source.kind == SourceKind::Rule;
         let is_binding =
             first.verdict != Verdict::Differs && !suite.sources.of(&first.basis).is_some_and(is_rule);
         if self.keeps_claim
             && is_one
             && is_binding
-            && !is_told
+            && is_of_claim
             && self.essence.pattern.is_none()
             && !self.differs
         {
@@ -268,7 +242,7 @@ impl GrowingCause {
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
     /// of which the claim of their case still speaks, then claims by their rank, then what does least, then claims by the number of cases that rest on them, then what more cases
     /// show, by powers of two, then the smaller program.
-    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, usize, Reverse<u64>, Reverse<u32>, usize, &str) {
+    pub(crate) fn preference(&self) -> impl Ord + '_ {
         let program = &self.cause.shown.program;
         (
             self.differs,

@@ -32,7 +32,6 @@ pub struct CauseKey {
 impl CauseKey {
     /// Returns the key for a program without marks that must be accepted and give these values, by what an engine did with it;
     /// `None` where it did what it must, or does not support the program.
-    #[must_use]
     pub fn of_program(
         program: &str,
         dialect: DialectName,
@@ -50,7 +49,6 @@ impl CauseKey {
     }
 
     /// Returns the key of the program that shows a cause, as that of any other program, so that both can be compared.
-    #[must_use]
     pub fn of_shown(cause: &Cause) -> CauseKey {
         let verdict = cause.cases.first().map_or(Verdict::Fail, |some| some.verdict);
         let facts = (cause.shown.expected.clone(), cause.shown.got.clone());
@@ -59,7 +57,6 @@ impl CauseKey {
 
     /// Returns whether a cause that a run of the suite found, by its symptom and its constructs, explains this one: it is of the
     /// same symptom, this one needs no other construct, and all that the cause needs is there.
-    #[must_use]
     pub fn is_explained_by(&self, symptom: &str, construct: &str) -> bool {
         let needs: Vec<&str> = construct.split(", ").filter(|need| !need.is_empty()).collect();
         let has = |need: &&str| self.constructs.iter().chain(&self.labels).any(|own| own == need);

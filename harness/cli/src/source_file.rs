@@ -98,7 +98,6 @@ impl Program {
     }
 
     /// Returns the name of the file in which a line of the program stands, and the lines before the file.
-    #[must_use]
     pub fn file_of(&self, line: u32) -> (&str, u32) {
         let (name, before) = &self.files[self.index_of(line)];
         (name, *before)
@@ -109,7 +108,6 @@ impl Program {
     }
 
     /// Returns what to call all of it: the only file, or the number of files.
-    #[must_use]
     pub fn name(&self) -> String {
         match &self.files[..] {
             [(name, _)] => name.clone(),
@@ -145,7 +143,6 @@ impl Program {
     }
 
     /// Returns the diagnostics of each file, with lines of the file.
-    #[must_use]
     pub fn by_file(&self, diagnostics: Vec<Diagnostic>) -> Vec<(&str, Vec<Diagnostic>)> {
         let mut files: Vec<(&str, Vec<Diagnostic>)> =
             self.files.iter().map(|(name, _)| (&**name, Vec::new())).collect();

@@ -80,25 +80,21 @@ impl ConfigurationFile {
     }
 
     /// Returns the absolute path of the file; `None` if there is none.
-    #[must_use]
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }
 
     /// Returns the folder of the file, in which the commands of its engines are started; `None` if there is no file.
-    #[must_use]
     pub fn folder(&self) -> Option<&Path> {
         self.path.as_deref().and_then(Path::parent)
     }
 
     /// Returns the engine of this name, if the file has it.
-    #[must_use]
     pub fn engine(&self, name: &str) -> Option<&EngineEntry> {
         self.engines.get(name)
     }
 
     /// Returns the dialects that the file defines, in its order.
-    #[must_use]
     pub fn dialects(&self) -> &[DialectName] {
         &self.dialects
     }

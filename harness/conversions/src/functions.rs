@@ -61,7 +61,6 @@ fn did_you_mean(similar: &[String]) -> String {
 
 /// Returns the signatures of a function that can be swept: of a conversion function or, of a name that is none, of a standard function of one
 /// operand.
-#[must_use]
 pub fn swept_signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     let own = signatures(function, dialect);
     match own.is_empty() {
@@ -105,7 +104,6 @@ pub fn find_function(
 }
 
 /// Returns the names of the conversion functions of all dialects, each once.
-#[must_use]
 pub fn all_functions() -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for dialect in DialectName::ALL {
@@ -117,13 +115,11 @@ pub fn all_functions() -> Vec<String> {
 }
 
 /// Returns the names of dialects in one line.
-#[must_use]
 pub fn dialect_list(dialects: &[DialectName]) -> String {
     short_names(dialects).join(", ")
 }
 
 /// Returns the names of dialects, in few words: `every dialect` for all of them, `ironplc-*` for all of IronPLC's.
-#[must_use]
 pub fn short_names(dialects: &[DialectName]) -> Vec<String> {
     let all = |wanted: &[DialectName]| wanted.iter().all(|dialect| dialects.contains(dialect));
     if all(&DialectName::ALL) {

@@ -26,7 +26,6 @@ words! {
 impl MatrixAnswer {
     /// Returns whether the answer contradicts the word of the documents. An engine that does not support the request contradicts nothing,
     /// and nothing contradicts a word that leaves the conversion open.
-    #[must_use]
     pub fn contradicts(self, word: Option<MatrixWord>) -> bool {
         match (word, self) {
             (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,

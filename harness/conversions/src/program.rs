@@ -22,14 +22,12 @@ pub struct ConversionProgram {
 
 impl ConversionProgram {
     /// Returns the source text.
-    #[must_use]
     pub fn source(&self) -> String {
         let (declarations, statements) = (&self.declarations, &self.statements);
         format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n")
     }
 
     /// Returns what is asked of an engine that runs the program: the values of its results at the end.
-    #[must_use]
     pub fn observations(&self) -> Vec<Observation> {
         let names = self.observed.iter();
         names
@@ -42,7 +40,6 @@ impl ConversionProgram {
 ///
 /// NaN and the infinities, which have no literal, are computed before the calls: an engine that computes them otherwise
 /// than IEC 60559 gives the function other operands.
-#[must_use]
 pub fn listed(
     function: &str,
     result: ElementaryType,

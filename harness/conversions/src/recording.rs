@@ -137,7 +137,6 @@ impl Recording {
     }
 
     /// Returns the identity under which the answers are shown beside those of engines.
-    #[must_use]
     pub fn identity(&self) -> Identity {
         let origin = &self.origin;
         Identity {
@@ -151,7 +150,6 @@ impl Recording {
     }
 
     /// Returns the recorded reaction to a value of one type in a variable of another; `None` where it was not asked.
-    #[must_use]
     pub fn implicit(&self, dialect: DialectName, pair: TypePair) -> Option<MatrixAnswer> {
         let key = (RecordedSection::Implicit, pair.0, pair.1.name().to_owned());
         self.word(dialect, key).and_then(MatrixAnswer::from_word)
@@ -159,14 +157,12 @@ impl Recording {
 
     /// Returns the recorded reaction to a program that reads a bit or a part of a variable, such as `7` or `%B1`; `None` where it was not
     /// asked.
-    #[must_use]
     pub fn part(&self, dialect: DialectName, ty: ElementaryType, part: &str) -> Option<MatrixAnswer> {
         let word = self.word(dialect, (RecordedSection::Bits, ty, part.to_owned()));
         word.and_then(MatrixAnswer::from_word)
     }
 
     /// Returns whether the [`extreme`] value of the first type is less than that of the second; `None` where it was not asked.
-    #[must_use]
     pub fn comparison(&self, dialect: DialectName, pair: TypePair) -> Option<ComparisonAnswer> {
         let key = (RecordedSection::Comparisons, pair.0, pair.1.name().to_owned());
         match self.word(dialect, key)? {
@@ -177,7 +173,6 @@ impl Recording {
     }
 
     /// Returns each pair of types of which a comparison was asked, in order, with the word of the answer: `true`, `false`, `rejected` …
-    #[must_use]
     pub fn all_comparisons(&self, dialect: DialectName) -> Vec<(TypePair, &'static str)> {
         let pairs = questions::pairs_compared().into_iter();
         let answered = pairs.filter_map(|pair| {
@@ -193,7 +188,6 @@ impl Recording {
 
     /// Returns the recorded result of each call of a function. A call that was not recorded is a refusal of the kind
     /// [`RefusalKind::NotAsked`].
-    #[must_use]
     pub fn results(
         &self,
         dialect: DialectName,

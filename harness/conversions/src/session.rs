@@ -63,7 +63,6 @@ impl RefusalKind {
     ];
 
     /// Returns the refusal's kind as the end of a sentence that names the engine: `rejected the program`, `crashed` …
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             RefusalKind::Unsupported => "does not support this",
@@ -78,7 +77,6 @@ impl RefusalKind {
     }
 
     /// Returns the refusal's kind in a word that fits the cell of a table: `rejected`, `crashed` …
-    #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
             RefusalKind::Unsupported => "unsupported",
@@ -92,13 +90,11 @@ impl RefusalKind {
     }
 
     /// Returns the kind of a [`RefusalKind::word`] that a recording holds.
-    #[must_use]
     pub fn from_word(word: &str) -> Option<RefusalKind> {
         RefusalKind::STORED.into_iter().find(|kind| kind.word() == word)
     }
 
     /// Returns whether the refusal is a failure of the engine: neither a rejection nor something that it does not support.
-    #[must_use]
     pub const fn is_failure(self) -> bool {
         !matches!(
             self,

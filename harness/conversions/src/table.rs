@@ -31,7 +31,6 @@ pub struct Cell {
 
 impl Cell {
     /// Creates a cell with pieces of text, each in a style of its own.
-    #[must_use]
     pub const fn new(pieces: Vec<(String, Style)>, align: Alignment) -> Cell {
         Cell { pieces, align }
     }
@@ -73,7 +72,6 @@ pub struct Table {
 
 impl Table {
     /// Creates a table without rows, whose first column is shortened where the table is too wide.
-    #[must_use]
     pub fn new(head: Vec<Cell>) -> Table {
         Table {
             is_elastic: true,
@@ -83,7 +81,6 @@ impl Table {
 
     /// Creates a table without rows from the lines of its head. Every piece of it begins with the `left` first columns, which are not
     /// shortened; `gap` is the number of spaces between two columns.
-    #[must_use]
     pub const fn of_values(head: Vec<Vec<Cell>>, left: usize, gap: usize) -> Table {
         Table {
             head,

@@ -43,7 +43,6 @@ pub struct SupportData<'a> {
 
 impl<'a> SupportData<'a> {
     /// Collects the data of the dialects of a table of statements.
-    #[must_use]
     pub fn gather(
         suite: &'a Suite,
         statements: &'a StatementsBuilder,
@@ -88,7 +87,6 @@ impl<'a> SupportData<'a> {
     }
 
     /// Returns the number of questions.
-    #[must_use]
     pub fn questions(&self) -> usize {
         self.questions.0.len()
     }

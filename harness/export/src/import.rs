@@ -80,13 +80,11 @@ impl Export {
     }
 
     /// Returns the dialect of the cases.
-    #[must_use]
     pub fn dialect(&self) -> DialectName {
         self.dialect
     }
 
     /// Returns the kinds of the exported cases beside those whose programs must be accepted.
-    #[must_use]
     pub fn with(&self) -> BTreeSet<ExtraCases> {
         let kinds = self
             .cases
@@ -335,7 +333,6 @@ impl Export {
     }
 
     /// Returns the folder of the export.
-    #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
     }

@@ -69,7 +69,6 @@ impl Explained {
 
     /// Returns why each mutant survives; `None` where it was killed, or survives for no reason that is listed. A change
     /// that is listed once explains one survivor.
-    #[must_use]
     pub fn kinds(&self, outcomes: &[MutantOutcome]) -> Vec<Option<ExplanationKind>> {
         let mut left: Vec<(&ExplainedSurvivor, &str)> = self.changes().collect();
         let kind = |outcome: &MutantOutcome| {

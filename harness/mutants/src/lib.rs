@@ -50,7 +50,6 @@ enum MutantsCommand {
 }
 
 /// Runs the command, prints what came of it, and returns the exit code.
-#[must_use]
 pub fn execute(arguments: &MutantsArguments) -> u8 {
     let ended = match &arguments.command {
         Some(MutantsCommand::Places(arguments)) => places::run(arguments),

@@ -18,7 +18,6 @@ pub struct MutantOutcome {
 
 impl MutantOutcome {
     /// Returns the name without file, line and column: `replace X with Y in F`.
-    #[must_use]
     pub fn change(&self) -> &str {
         self.name.splitn(4, ':').last().unwrap_or_default().trim_start()
     }

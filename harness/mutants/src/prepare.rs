@@ -8,7 +8,6 @@ use stickler_mutants_judge::prepared::{PreparedCase, PreparedExpectation};
 use stickler_suite::{Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue};
 
 /// Returns all cases but those with a code that the reference does not give, in the order in which they are judged.
-#[must_use]
 pub fn prepare(cases: &[Case]) -> Vec<PreparedCase> {
     let ordered = order(cases).into_iter().map(|index| &cases[index]);
     ordered.filter(|case| is_judged(case)).map(prepared).collect()

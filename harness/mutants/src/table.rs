@@ -48,14 +48,12 @@ pub struct JudgedMutant {
 
 impl JudgedMutant {
     /// Returns whether the mutant survives and nobody has said why.
-    #[must_use]
     pub fn is_unexplained(&self) -> bool {
         self.outcome.fate == MutantFate::Survived && self.kind.is_none()
     }
 }
 
 /// Looks every survivor up in the list.
-#[must_use]
 pub fn judge(outcomes: Vec<MutantOutcome>, explained: &Explained) -> Vec<JudgedMutant> {
     let kinds = explained.kinds(&outcomes);
     let judged = |(outcome, kind): (MutantOutcome, _)| JudgedMutant {
@@ -131,7 +129,6 @@ fn percentage(part: usize, all: usize) -> String {
 }
 
 /// Returns the table: modules, then topics, then all.
-#[must_use]
 pub fn table(mutants: &[JudgedMutant], by_file: bool) -> String {
     let mut modules: BTreeMap<String, MutantCounts> = BTreeMap::new();
     let mut topics: BTreeMap<&str, MutantCounts> = BTreeMap::new();

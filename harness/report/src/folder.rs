@@ -78,7 +78,6 @@ impl Reports {
     }
 
     /// Returns the overview of the events so far.
-    #[must_use]
     pub const fn overview(&self) -> &Overview {
         &self.overview
     }

@@ -34,7 +34,6 @@ pub(crate) fn code(text: &str) -> String {
 }
 
 /// Escapes a text for Markdown and HTML, on one line.
-#[must_use]
 pub fn inline(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in clip(&visible(text).replace('\n', " "), 1, MAX_SHOWN_CHARACTERS).chars() {

@@ -74,7 +74,6 @@ pub fn ask_stored_together(
 }
 
 /// Returns the digest of everything that an engine is asked about a case: 32 hexadecimal digits.
-#[must_use]
 pub fn question(case: &Case) -> String {
     let mut digest = Digest::new("question");
     digest.text(case.dialect.as_str()).text(&case.source);

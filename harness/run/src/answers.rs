@@ -31,7 +31,6 @@ pub struct Rendering {
 
 impl Answers {
     /// Returns the answers about a case for which the engine was only asked to run the program.
-    #[must_use]
     pub fn of_run(run: Outcome) -> Answers {
         Answers { run, rendering: None }
     }
@@ -63,7 +62,6 @@ pub fn ask(session: &mut EngineSession<'_>, case: &Case) -> Result<Answers, Engi
 
 /// Returns the ability of an engine that shows whether it meets a case, for a reproduction without Stickler: a rejection shows
 /// in a check, a rendered text in rendering, and all else only when the program is executed.
-#[must_use]
 pub fn shown_by(case: &Case) -> Ability {
     let expectation = &*case.expectation;
     if expectation.rendered.is_some() {

@@ -56,7 +56,6 @@ pub struct Entry {
 impl Baseline {
     /// Returns the name of the file in which the baseline of an engine is looked up. An engine behind a process chooses its
     /// own name, so every character that could lead to another folder becomes `-`.
-    #[must_use]
     pub fn file_name(engine: &str) -> String {
         let harmless = |character: char| match character {
             'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' | '.' => character,
@@ -67,7 +66,6 @@ impl Baseline {
     }
 
     /// Returns the file and line of an entry, such as `reports/baselines/ironplc.toml:12`.
-    #[must_use]
     pub fn place(&self, entry: &Entry) -> String {
         format!("{}:{}", self.file, entry.line)
     }

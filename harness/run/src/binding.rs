@@ -39,7 +39,6 @@ pub enum Binding {
 
 impl Binding {
     /// Returns whether a miss is a failure; a rule of Stickler's own binds only where `strict_rules` says so.
-    #[must_use]
     pub const fn binds(&self, strict_rules: bool) -> bool {
         match self {
             Binding::Own | Binding::Standard => true,
@@ -59,7 +58,6 @@ impl Binding {
 /// is only a difference. A claim that a source of the system itself contradicts binds nobody, and one that begins or ends with a version only
 /// compilers of the [versions] for which it holds. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
 /// [that are about](stickler_suite::Sources::are_about) the dialects that it lists, since its author declared that it follows them.
-#[must_use]
 pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Binding {
     if engine.is_some_and(|engine| engine.name == Reference::NAME) {
         return Binding::Own;
@@ -92,7 +90,6 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
 
 /// Returns the versions of an engine for which a claim holds; without an engine, of any compiler of the dialect. They are those of the source, as far
 /// as no other source of the system ends the claim. A source of another system limits nothing.
-#[must_use]
 pub fn versions(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Versions {
     let cited = suite.sources.of(claim.basis);
     let cited = cited.filter(|(source, section)| is_own(source, section, claim.dialect, engine, suite));
@@ -123,7 +120,6 @@ fn compared(engine: Option<&Identity>) -> Option<&str> {
 }
 
 /// Returns whether an engine is asked a case: it speaks the dialect, and the claim begins with no later version than the engine has.
-#[must_use]
 pub fn is_asked(case: &Case, engine: &Identity, suite: &Suite) -> bool {
     let begins_later = |(source, section): (&Source, &str)| {
         compared(Some(engine)).is_some_and(|version| source.versions.begin_after(version))
@@ -154,7 +150,6 @@ fn is_own(
 /// and rules are Stickler's own, that of cases which assert nothing among them. What `stickler.toml` states about a dialect of its
 /// own counts as a document. Nothing is promised where the program must be rejected or its acceptance is open, and of a rendered
 /// text no document promises that its program runs.
-#[must_use]
 pub fn promises(case: &Case, engine: &Identity, suite: &Suite) -> bool {
     let expectation = &*case.expectation;
     if expectation.accepted != Acceptance::Required || expectation.rendered.is_some() {
@@ -169,7 +164,6 @@ pub fn promises(case: &Case, engine: &Identity, suite: &Suite) -> bool {
 
 impl<'c> Claim<'c> {
     /// Returns the claim of a case.
-    #[must_use]
     pub fn of(case: &'c Case) -> Claim<'c> {
         Claim {
             basis: &case.basis,
@@ -182,7 +176,6 @@ impl<'c> Claim<'c> {
 
 /// Returns the first of the bases that promise a feature of the language, or a place, which binds an engine in a program of a dialect; `None`
 /// where there is none.
-#[must_use]
 pub fn promise<'f>(
     promised: impl IntoIterator<Item = &'f str>,
     (program, dialect): (&str, DialectName),
@@ -205,7 +198,6 @@ pub fn promise<'f>(
 
 /// Returns the basis by which an engine must take a feature of the language in a program of a dialect: the first one that promises it, or
 /// else the table of the standard by which the dialect declares it; `None` where there is none.
-#[must_use]
 pub fn promise_of<'f>(
     feature: &'f Feature,
     (program, dialect): (&str, DialectName),

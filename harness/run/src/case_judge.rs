@@ -38,7 +38,6 @@ pub struct CaseJudge<'r> {
 
 impl CaseJudge<'_> {
     /// Returns the event of a case, from what the engine answered and how long it took.
-    #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
         let mut judgement = self.judgement(case, answers);
         let basis = self.basis(case, &judgement).into_owned();
@@ -94,7 +93,6 @@ impl CaseJudge<'_> {
     /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
     /// failure, nor is a program that comes to nothing where no source that binds the engine says that it must be accepted, nor an
     /// endless loop that does not end; a construct that is not implemented is one where a document promises it.
-    #[must_use]
     pub fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
         let mut judgement = judge(case, answers, self.plan.needed(self.engine, case));
         if judgement.verdict == Verdict::Fail

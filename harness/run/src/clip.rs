@@ -19,7 +19,6 @@ pub(crate) fn clip_answer(facts: Vec<Fact>) -> Vec<Fact> {
 }
 
 /// Clips facts to so many lines; a last fact states how many lines are left out.
-#[must_use]
 pub fn clip_facts(facts: &[Fact], lines: usize) -> Vec<Fact> {
     clip(facts.to_vec(), lines, usize::MAX)
 }
@@ -67,7 +66,6 @@ fn clip(facts: Vec<Fact>, lines: usize, bytes: usize) -> Vec<Fact> {
 }
 
 /// Clips a line to so many characters, and appends how much is left out.
-#[must_use]
 pub fn clip_line(line: &str, characters: usize) -> String {
     let mut line = line.to_owned();
     clip_text(&mut line, characters);

@@ -89,7 +89,6 @@ pub struct CaseEvent {
 
 impl CaseEvent {
     /// Returns where the case stands: its file, and its line where that is known.
-    #[must_use]
     pub fn place(&self) -> String {
         match self.line {
             Some(line) => format!("{}:{line}", self.file),
@@ -98,13 +97,11 @@ impl CaseEvent {
     }
 
     /// Returns the part of the id that the cases of a table's probe share, or the whole id where the case comes from no table.
-    #[must_use]
     pub fn probe(&self) -> &str {
         self.id.split_once('(').map_or(&self.id, |(probe, _)| probe)
     }
 
     /// Returns the verdict of the case as if there were no baseline.
-    #[must_use]
     pub fn actual_verdict(&self) -> Verdict {
         match (self.verdict, &self.baseline) {
             (Verdict::Xfail, Some(note)) => note.verdict,
@@ -135,13 +132,11 @@ pub struct BaselineNote {
 
 impl BaselineNote {
     /// Returns all verdicts that the entry expects.
-    #[must_use]
     pub fn verdicts(&self) -> Vec<Verdict> {
         [&[self.verdict], &self.others[..]].concat()
     }
 
     /// Returns the note for a case with this actual verdict, which is one of the expected ones.
-    #[must_use]
     pub(crate) fn of_xfail(&self, came: Verdict) -> BaselineNote {
         let mut others = self.verdicts();
         others.retain(|verdict| *verdict != came);

@@ -140,14 +140,12 @@ pub enum Fact {
 
 impl Fact {
     /// Returns the text of several facts: their lines in order, joined by line feeds.
-    #[must_use]
     pub fn text(facts: &[Fact]) -> String {
         let lines: Vec<String> = facts.iter().map(ToString::to_string).collect();
         lines.join("\n")
     }
 
     /// Returns a fingerprint of several facts: a hash of their text, the same on every machine and in every version.
-    #[must_use]
     pub fn fingerprint(facts: &[Fact]) -> u32 {
         let mut hasher = Hasher(Fnv1a::default());
         for fact in facts {
@@ -158,7 +156,6 @@ impl Fact {
     }
 
     /// Returns the error, where the fact is one.
-    #[must_use]
     pub fn diagnostic(&self) -> Option<&Diagnostic> {
         match self {
             Fact::Diagnostic(diagnostic) => Some(diagnostic),
@@ -168,7 +165,6 @@ impl Fact {
 
     /// Returns the error among some facts that says most: the first one, or the first behind it on its line. Of a statement with a wrong part
     /// a compiler often says first, at its beginning, what only follows; of what it cannot read it says it last.
-    #[must_use]
     pub fn first_error(facts: &[Fact]) -> Option<&Diagnostic> {
         let mut errors = facts.iter().filter_map(Fact::diagnostic);
         let first = errors.next()?;
@@ -181,7 +177,6 @@ impl Fact {
     }
 
     /// Returns how many lines the text of the fact has.
-    #[must_use]
     pub fn lines(&self) -> usize {
         match self {
             Fact::Rendered { lines } => lines.len(),

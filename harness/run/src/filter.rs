@@ -18,31 +18,26 @@ pub struct Filter {
 
 impl Filter {
     /// Creates a filter from the text that a person typed.
-    #[must_use]
     pub fn new(text: impl Into<String>) -> Filter {
         Filter { text: text.into() }
     }
 
     /// Returns the text of the filter, as it was typed.
-    #[must_use]
     pub fn as_str(&self) -> &str {
         &self.text
     }
 
     /// Returns whether the filter contains a `*`, and so is read as a pattern unless it is the id of a case.
-    #[must_use]
     pub fn is_pattern(&self) -> bool {
         self.text.contains('*')
     }
 
     /// Returns the dialect at the end of the key, as in `*@matiec`; `None` where the filter ends in no name of a dialect.
-    #[must_use]
     pub fn dialect(&self) -> Option<DialectName> {
         self.text.rsplit_once('@')?.1.parse().ok()
     }
 
     /// Returns whether the filter is exactly this case's id or key.
-    #[must_use]
     pub fn names(&self, id: &str, dialect: &str) -> bool {
         self.text == id || is_key(&self.text, id, dialect)
     }
@@ -52,7 +47,6 @@ impl Filter {
     ///
     /// A pattern is told by its beginning, and a text by what stands before its parenthesis, since an id has at most one: an id in
     /// full, or a pattern that begins with a path, needs few files. Any other text may be a part of any id of a table.
-    #[must_use]
     pub fn may_fit_file(&self, id: &str, kind: FileKind) -> bool {
         let beginning = match kind {
             FileKind::Program => format!("{id}@"),
@@ -72,7 +66,6 @@ impl Filter {
     }
 
     /// Returns whether the filter, as a pattern or as a part of a key, fits this case.
-    #[must_use]
     pub fn fits(&self, id: &str, dialect: &str) -> bool {
         if self.is_pattern() {
             return pattern_fits(&self.text, id) || pattern_fits(&self.text, &format!("{id}@{dialect}"));
@@ -92,7 +85,6 @@ fn is_key(text: &str, id: &str, dialect: &str) -> bool {
 
 /// Returns whether `text` consists of `pattern`'s pieces in their order, the first at the start and the last at the end.
 /// Takes linear time but for the search of each piece.
-#[must_use]
 pub fn pattern_fits(pattern: &str, text: &str) -> bool {
     let Some((first, rest)) = pattern.split_once('*') else {
         return pattern == text;
@@ -110,7 +102,6 @@ pub fn pattern_fits(pattern: &str, text: &str) -> bool {
 
 /// Selects the cases that fit the plan's dialects, filters and shard, and none of what it excludes, in the order of the suite. A filter
 /// that is the id or the key of a case among the dialects selects that case alone.
-#[must_use]
 pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
     let spoken = |case: &&Case| plan.dialects.is_empty() || plan.dialects.contains(&case.dialect);
     let mut selected: Vec<&Case> = cases.iter().filter(spoken).collect();

@@ -50,7 +50,6 @@ pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case
 }
 
 /// Returns the entries for custom dialects in the header of a run, with the number of dropped cases of each.
-#[must_use]
 pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
     let header = |dialect: &DialectName| {
         let definition = dialect.definition().filter(|_| dialect.is_custom())?;

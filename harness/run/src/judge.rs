@@ -32,7 +32,6 @@ pub struct Judgement {
 
 /// Judges a case by what an engine answered. `strict` is the worst grade of a rejection or fault that still
 /// passes; the reference must meet [`Grade::Code`].
-#[must_use]
 pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     let expectation = &*case.expectation;
     let expected = expected(expectation);
@@ -71,7 +70,6 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
 }
 
 /// Returns the facts that a case expects, in a fixed order: those of its [`Judgement::expected`].
-#[must_use]
 pub fn expected_facts(case: &Case) -> Vec<Fact> {
     expected(&case.expectation)
 }

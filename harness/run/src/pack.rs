@@ -46,7 +46,6 @@ fn pack_kind(case: &Case) -> Option<PackKind> {
 
 /// Returns whether a program with this mistake may fail to parse, at least in a compiler that does not know the construct
 /// that the mistake is about: the compiler may then misread the text that follows.
-#[must_use]
 pub fn breaks_reading(code: Code) -> bool {
     // The registry numbers first what is found while reading.
     code.as_str().starts_with("P0")

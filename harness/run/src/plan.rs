@@ -96,7 +96,6 @@ pub enum RunError {
 impl Plan {
     /// Returns the worst grade of a rejection or a fault by this engine that still passes. The reference must always meet
     /// code and line, but for the codes that only other compilers give.
-    #[must_use]
     pub fn strict(&self, engine: &Identity) -> Grade {
         match engine.name.as_str() {
             Reference::NAME => Grade::Code,
@@ -107,14 +106,12 @@ impl Plan {
     /// Returns the worst grade of a rejection or a fault in this case by this engine that still passes: the one of
     /// [`Plan::strict`], but the line where the case asks for a code that the engine's version does not have, or of a compiler by a rule
     /// of Stickler, which names no code of it.
-    #[must_use]
     pub fn needed(&self, engine: &Identity, case: &Case) -> Grade {
         let expected = case.expectation.diagnostics.iter();
         self.needed_for(engine, &case.basis, expected.map(|expected| expected.code))
     }
 
     /// Returns what [`Plan::needed`] returns, for a case with this basis that asks for these codes.
-    #[must_use]
     pub fn needed_for(&self, engine: &Identity, basis: &str, mut codes: impl Iterator<Item = Code>) -> Grade {
         let strict = self.strict(engine);
         let is_taste = basis.starts_with("rule:") && engine.name != Reference::NAME;
@@ -125,7 +122,6 @@ impl Plan {
     }
 
     /// Returns the baseline of this engine, matched with the suite; `None` where there is none.
-    #[must_use]
     pub fn matched_baseline<'s>(&self, suite: &'s Suite, engine: &Identity) -> Option<MatchedBaseline<'s>> {
         let baseline = self
             .baselines
@@ -135,7 +131,6 @@ impl Plan {
     }
 
     /// Returns the command that runs this case again on this engine, for pasting into a shell.
-    #[must_use]
     pub fn rerun(&self, case: &Case, engine: &str) -> String {
         rerun(&self.rerun_template(engine), &case.id, case.dialect.as_str())
     }
@@ -144,7 +139,6 @@ impl Plan {
     /// [`EngineHeader::rerun`] fills in.
     ///
     /// [`EngineHeader::rerun`]: crate::EngineHeader::rerun
-    #[must_use]
     pub fn rerun_template(&self, engine: &str) -> String {
         let engine = match self.asked_for.get(engine).map_or(engine, String::as_str) {
             Reference::NAME => String::new(),

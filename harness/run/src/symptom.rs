@@ -68,14 +68,12 @@ pub enum Symptom {
 impl Symptom {
     /// Returns the symptom of a case that did not come out as expected. `strict` is the worst grade of a rejection that
     /// still passed.
-    #[must_use]
     pub fn of(case: &CaseEvent, strict: Grade) -> Symptom {
         Symptom::of_facts(case.actual_verdict(), (&case.expected, &case.got), strict)
     }
 
     /// Returns the symptom of a verdict, the expected and the actual facts. `strict` is the worst grade of a rejection that
     /// still passed.
-    #[must_use]
     pub fn of_facts(verdict: Verdict, (expected, got): (&[Fact], &[Fact]), strict: Grade) -> Symptom {
         if let [Fact::Unusable { reason }] = got {
             return Symptom::Unusable(normalize_message(reason));
@@ -113,7 +111,6 @@ impl Symptom {
     }
 
     /// Returns the symptom as a part of a file name.
-    #[must_use]
     pub fn word(&self) -> String {
         match self {
             // The message of a crash would fill the name of the file.

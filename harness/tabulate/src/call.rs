@@ -27,7 +27,6 @@ pub struct Agreed {
 impl Call {
     /// Returns the call of `function` with these operands that gives a `to`, or nothing where no dialect has such a function whose documents state
     /// rules.
-    #[must_use]
     pub fn new(function: &str, operands: Vec<WrittenValue>, to: ElementaryType) -> Option<Call> {
         let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
         let signature = DialectName::ALL
@@ -38,19 +37,16 @@ impl Call {
     }
 
     /// Returns the type of the first operand.
-    #[must_use]
     pub fn from(&self) -> ElementaryType {
         self.signature.operands[0]
     }
 
     /// Returns the type of the result.
-    #[must_use]
     pub fn to(&self) -> ElementaryType {
         self.signature.result
     }
 
     /// Returns whether a program of a dialect may name the types of the call.
-    #[must_use]
     pub fn may_be_named(&self, dialect: DialectName) -> bool {
         let mut types = self.signature.operands.iter().chain([&self.signature.result]);
         types.all(|ty| dialect.rules().may_name(*ty))
@@ -63,7 +59,6 @@ impl Call {
     }
 
     /// Returns the result in a dialect with the document that says so, or nothing where the dialect does not have the function.
-    #[must_use]
     pub fn expected(&self, dialect: DialectName) -> Option<Expected> {
         let types: Vec<&str> = self.signature.operands.iter().map(|ty| ty.name()).collect();
         signature(&self.signature.function, &types, self.to(), dialect)?;
@@ -116,7 +111,6 @@ pub type CellWriter = fn(&Call, &Agreed) -> String;
 /// | `expected` | the result as a typed literal |
 /// | `dialects` | the dialects whose sources say so; an empty cell where all do |
 /// | `basis` | the sources that say so; an empty cell where the head or the probe names them |
-#[must_use]
 pub fn of_column(name: &str) -> Option<CellWriter> {
     Some(match name {
         "function" => |call, _| call.signature.function.clone(),

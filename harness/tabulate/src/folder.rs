@@ -29,13 +29,11 @@ pub struct CallTable {
 
 impl CallTable {
     /// Returns the text that the file must have.
-    #[must_use]
     pub fn wanted(&self) -> String {
         self.table.with_rows(&self.rows)
     }
 
     /// Returns whether the file has other rows than it must have.
-    #[must_use]
     pub fn differs(&self) -> bool {
         self.wanted() != self.table.text
     }
@@ -154,7 +152,6 @@ pub struct Suggestion {
 
 impl CallTable {
     /// Returns the suggested result of each call that a probe only records.
-    #[must_use]
     pub fn suggestions(&self) -> Vec<Suggestion> {
         let mut suggestions = Vec::new();
         let probes = self.table.probes.iter();

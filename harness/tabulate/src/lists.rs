@@ -21,7 +21,6 @@ const LISTS: [(&str, List); 11] = [
 ];
 
 /// Returns the list of a name.
-#[must_use]
 pub fn named(name: &str) -> Option<List> {
     let (_, list) = LISTS.iter().find(|(known, _)| *known == name)?;
     Some(*list)
@@ -29,7 +28,6 @@ pub fn named(name: &str) -> Option<List> {
 
 /// Returns, for integers and bit strings, the limits of both types with their neighbours, 0 and its neighbours, the modulus of the
 /// target, and an irregular pattern of bits.
-#[must_use]
 pub fn limits(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     let (Some(own), Some(other)) = (from.integer_range(), to.integer_range()) else {
         return Vec::new();
@@ -45,13 +43,11 @@ pub fn limits(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
 }
 
 /// Returns each power of two that an integer or bit string holds, and of a signed type its opposite.
-#[must_use]
 pub fn powers_of_two(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     whole_numbers(from, (0..64).flat_map(|bit| [1 << bit, -(1 << bit)]))
 }
 
 /// Returns each power of two that an integer holds and its opposite, with the neighbours that a real target has no number for.
-#[must_use]
 pub fn powers_of_two_and_neighbours(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     if !to.is_real() {
         return Vec::new();
@@ -68,7 +64,6 @@ pub fn powers_of_two_and_neighbours(from: ElementaryType, to: ElementaryType) ->
 
 /// Returns, for a real source and an integer target, the powers of two up to the modulus of the target, 2^63 and 2^64, of both
 /// signs.
-#[must_use]
 pub fn powers_of_two_in_target(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     if !from.is_real() || !to.is_integer() {
         return Vec::new();
@@ -81,7 +76,6 @@ pub fn powers_of_two_in_target(from: ElementaryType, to: ElementaryType) -> Vec<
 
 /// Returns, for LREAL, each power of two from below the least REAL to above the greatest, and below 2^-120, where the subnormal
 /// numbers of REAL are near, also one and a half of it: 1.5 * 2^-149 is a tie between two of them.
-#[must_use]
 pub fn powers_of_two_around_real(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     if from != ElementaryType::Lreal {
         return Vec::new();
@@ -95,7 +89,6 @@ pub fn powers_of_two_around_real(from: ElementaryType, _to: ElementaryType) -> V
 }
 
 /// Returns both zeros, the least and greatest subnormal, the least normal and the greatest finite number of both signs.
-#[must_use]
 pub fn ends_of_format(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     if !from.is_real() {
         return Vec::new();
@@ -108,7 +101,6 @@ pub fn ends_of_format(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
 }
 
 /// Returns 2^24 and 2^53, above which REAL and LREAL do not have every integer, with their neighbours, of both signs.
-#[must_use]
 pub fn ends_of_precision(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     if !from.is_real() {
         return Vec::new();
@@ -120,7 +112,6 @@ pub fn ends_of_precision(from: ElementaryType, _to: ElementaryType) -> Vec<Value
 }
 
 /// Returns the neighbours of 0.5, 1.5, 2.5 and 3.5 in the format, of both signs.
-#[must_use]
 pub fn beside_ties(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     if !from.is_real() {
         return Vec::new();
@@ -132,7 +123,6 @@ pub fn beside_ties(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
 
 /// Returns, for a real source and an integer target, the least number and one past the greatest with their neighbours in the
 /// format.
-#[must_use]
 pub fn beside_limits(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     let Some((least, greatest)) = to.integer_range() else {
         return Vec::new();
@@ -148,7 +138,6 @@ pub fn beside_limits(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
 }
 
 /// Returns one or two values of a type that tell one rule from another.
-#[must_use]
 pub fn few(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     let literals: &[&str] = match from.family() {
         Family::Signed | Family::Unsigned | Family::BitString => {
@@ -175,7 +164,6 @@ pub fn few(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
 
 /// Returns one or two values whose result changes where a conversion takes a sign for a bit or a bit for a sign, limits what must
 /// wrap, drops the highest bit, or looks at the lowest one only.
-#[must_use]
 pub fn telling(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
     /// An even number whose highest bit is set, in each width.
     const PATTERN: i128 = 0x96AA_33CC_9FF0_A5C2;

@@ -152,7 +152,6 @@ impl Table {
     }
 
     /// Returns whether the rows are calls of one function, so that this crate computes their cells.
-    #[must_use]
     pub fn is_of_calls(&self) -> bool {
         self.cells().is_some()
     }
@@ -232,7 +231,6 @@ impl Table {
     }
 
     /// Returns the text of the file with other rows in place of its own; nothing else changes.
-    #[must_use]
     pub fn with_rows(&self, rows: &[Vec<String>]) -> String {
         let (before, after) = (&self.text[..self.span.start], &self.text[self.span.end..]);
         format!("{before}{}{after}", aligned(rows))

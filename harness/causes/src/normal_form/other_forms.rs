@@ -111,7 +111,10 @@ impl NormalSearch<'_, '_> {
     /// Asks for forms of the program, in their order: the first that is right says how the engine does the operation.
     fn ask_forms(&mut self, forms: &[(&'static str, Form)]) -> Result<(), EngineError> {
         for (way, form) in forms {
-            if self.normal.way.is_none() && self.ask_form(*form)? == Some(None) {
+            let accepts = self.normal.deviation.sign.accepts();
+            // What is rejected at last is found, wherever it is said to be.
+            let is_right = |seen: Option<Deviation>| seen.is_none_or(|seen| accepts && !seen.sign.accepts());
+            if self.normal.way.is_none() && self.ask_form(*form)?.is_some_and(is_right) {
                 self.normal.way = Some(way);
             }
         }

@@ -25,7 +25,6 @@ pub struct AskedQuestion {
 
 impl AskedQuestion {
     /// Returns a question whose text says all, and which no case asks.
-    #[must_use]
     pub const fn new(text: String, kind: String) -> AskedQuestion {
         let (case, program) = (None, None);
         AskedQuestion {
@@ -71,7 +70,6 @@ impl ContradictionsBuilder {
     }
 
     /// Returns the topics on which the answers differ, the `most` largest of those questions that are wanted.
-    #[must_use]
     pub fn finish(mut self, most: usize, is_wanted: impl Fn(&AskedQuestion) -> bool) -> Contradictions {
         let is_kept = |(asked, answers): &mut (AskedQuestion, _)| is_wanted(asked) && differ(answers);
         self.questions.retain(|_, question| is_kept(question));

@@ -51,7 +51,6 @@ pub fn any(signature: &Signature) -> bool {
 }
 
 /// Returns the rules that matter for a signature: what each is about, as in `rounding`, the rule in words, and the dialects that have it.
-#[must_use]
 pub fn rules(signature: &Signature, dialects: &[DialectName]) -> Vec<(String, String, Vec<DialectName>)> {
     let of_topic = |topic: Topic| {
         let choices = choices(topic, signature, dialects).into_iter();

@@ -41,7 +41,6 @@ pub enum ComparedAnswer {
 
 impl RecordedAnswers {
     /// Returns whether an engine with this name is the recorded compiler.
-    #[must_use]
     pub fn is_of(&self, engine: &str) -> bool {
         self.origin.is_of(&self.name, engine)
     }

@@ -117,7 +117,6 @@ impl ExpectedResult {
 
 impl ComparedResult {
     /// Returns whether the result contradicts a document. An engine that says it does not support the call contradicts nothing.
-    #[must_use]
     pub fn contradicts(&self) -> bool {
         let wrong = match &self.got {
             Ok(value) => *value != self.expected.value,
@@ -129,7 +128,6 @@ impl ComparedResult {
 
 impl SignatureResults {
     /// Returns whether any result of the first `engines` engines contradicts a document.
-    #[must_use]
     pub fn contradict(&self, engines: usize) -> bool {
         let columns = self.columns.iter().filter(|column| column.engine < engines);
         columns

@@ -115,19 +115,16 @@ pub struct CaseStatement<'c> {
 
 impl Statements {
     /// Returns the number of the question that a case asks, by its id; `None` for a case that asks another.
-    #[must_use]
     pub fn question(&self, case: &str) -> Option<QuestionNumber> {
         self.questions.get(case).copied()
     }
 
     /// Returns the answers of recordings to the questions, by recording and dialect.
-    #[must_use]
     pub fn recorded(&self) -> &[RecordedAnswers] {
         &self.recorded
     }
 
     /// Returns the names of the functions, such as `REAL_TO_INT`.
-    #[must_use]
     pub fn function_names(&self) -> BTreeSet<&str> {
         self.functions
             .iter()
@@ -136,7 +133,6 @@ impl Statements {
     }
 
     /// Returns the name of the function of whose call a question is; `None` where it is of another thing.
-    #[must_use]
     pub fn function_of(&self, question: QuestionNumber) -> Option<&str> {
         let mut call = (question as usize).checked_sub(self.pairs.len() + self.parts.len())?;
         let function = self.functions.iter().find(|function| {
@@ -152,7 +148,6 @@ impl Statements {
     }
 
     /// Returns whether there is no question.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.pairs.is_empty() && self.parts.is_empty() && self.functions.is_empty()
     }

@@ -91,7 +91,6 @@ impl Recording {
     }
 
     /// Returns how often [`Recording::ask`] calls `answered`.
-    #[must_use]
     pub fn questions(dialects: &[DialectName], sections: &[RecordedSection]) -> usize {
         let of = |dialect: DialectName, section: RecordedSection| match section {
             RecordedSection::Functions => signatures(dialect).len(),

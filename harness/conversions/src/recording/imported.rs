@@ -18,7 +18,6 @@ pub struct RecordingBuilder {
 
 impl RecordingBuilder {
     /// Begins a recording of a compiler that is asked in a dialect; `name` is that of its file.
-    #[must_use]
     pub fn new(name: &str, origin: RecordingOrigin, dialect: DialectName) -> RecordingBuilder {
         RecordingBuilder {
             dialect,
@@ -34,13 +33,11 @@ impl RecordingBuilder {
     }
 
     /// Returns the number of questions that have an answer.
-    #[must_use]
     pub fn number(&self) -> usize {
         self.recording.words.len() + self.calls.values().map(Vec::len).sum::<usize>()
     }
 
     /// Returns the recording.
-    #[must_use]
     pub fn finish(mut self) -> Recording {
         for signature in questions::signatures(self.dialect) {
             let row = key(&signature);

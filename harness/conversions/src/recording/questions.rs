@@ -9,7 +9,6 @@ use stickler_exact::Signature;
 use stickler_types::{ConversionCall, DialectName, ElementaryType, Family, Question, TypePair, Value};
 
 /// Returns the questions that a recording answers in a dialect: pairs of types, then parts, then comparisons, then calls.
-#[must_use]
 pub fn all_questions(dialect: DialectName) -> Vec<Question> {
     let calls = signatures(dialect).into_iter().flat_map(|signature| {
         let calls = overview::boundary_calls(&signature);
@@ -52,7 +51,6 @@ pub(super) fn word_key(question: &Question) -> Option<WordKey> {
 
 /// Returns the program that asks a question; of a comparison, one of [`extreme`] values. Where only its acceptance counts, it observes no
 /// variable.
-#[must_use]
 pub fn program_of(question: &Question) -> ConversionProgram {
     match question {
         Question::Implicit((from, into)) => taken(*from, *into, ""),
@@ -135,7 +133,6 @@ pub(super) fn pairs_compared() -> Vec<TypePair> {
 
 /// Returns the value of a type that is compared with others: -1 of a type with a sign, otherwise the greatest one, so that types of
 /// the same width have the same bits.
-#[must_use]
 pub fn extreme(ty: ElementaryType) -> Value {
     match ty.family() {
         Family::Real => Value::of_real(ty, -1.0),

@@ -42,7 +42,6 @@ impl Recording {
     ///
     /// A warning asserts no more than that the program is accepted, for the code of a warning was not recorded. A call that was refused, a part
     /// that was refused in another form than `.n`, and an engine that crashed or took too long assert nothing.
-    #[must_use]
     pub fn case_tables(&self, dialect: DialectName, owner: &str) -> RecordedTables {
         let mut made = RecordedTables::default();
         let mut rows: BTreeMap<RecordedSection, Vec<CaseRow>> = BTreeMap::new();

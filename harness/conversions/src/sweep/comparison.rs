@@ -30,7 +30,6 @@ pub struct SweepComparison<'s> {
 
 impl<'s> SweepComparison<'s> {
     /// Makes the comparison of a sweep.
-    #[must_use]
     pub fn new(sweep: &'s Sweep, converter: &'s dyn Converter) -> SweepComparison<'s> {
         SweepComparison {
             sweep,
@@ -43,7 +42,6 @@ impl<'s> SweepComparison<'s> {
     }
 
     /// Returns the number of inputs that a worker takes at a time.
-    #[must_use]
     pub const fn step(&self) -> u64 {
         if self.bulk.is_some() { STEP } else { SLOW_STEP }
     }

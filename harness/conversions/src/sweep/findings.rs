@@ -55,7 +55,6 @@ pub struct SweepFindings {
 
 impl SweepFindings {
     /// Returns findings with no input compared yet.
-    #[must_use]
     pub fn new(inputs: u64) -> SweepFindings {
         SweepFindings {
             inputs,
@@ -64,13 +63,11 @@ impl SweepFindings {
     }
 
     /// Returns whether every input was compared.
-    #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.done == self.inputs
     }
 
     /// Returns the progress of the sweep.
-    #[must_use]
     pub const fn progress(&self) -> SweepProgress {
         SweepProgress {
             done: self.done,

@@ -23,7 +23,6 @@ enum ReferenceFunctionKind {
 
 impl ReferenceFunction {
     /// Finds the conversion of a function between these types; `None` where the reference has no such function.
-    #[must_use]
     pub fn find(signature: &Signature, dialect: DialectName) -> Option<ReferenceFunction> {
         let dialect = Dialect::of(dialect);
         let (name, result) = (&signature.function[..], signature.result);

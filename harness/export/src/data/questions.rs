@@ -91,7 +91,6 @@ impl Answers {
 
 impl Questions {
     /// Collects what cases and documents state, and what recordings answer.
-    #[must_use]
     pub fn gather(sources: &Sources, statements: &StatementsBuilder, recordings: &[Recording]) -> Questions {
         let mut questions = Questions::default();
         questions.add_accepted(sources, statements, recordings);
@@ -195,7 +194,6 @@ impl Questions {
 }
 
 /// Returns the text of the question what a function gives for operands.
-#[must_use]
 pub fn call_question(signature: &Signature, operands: &[Value]) -> String {
     let call = ConversionCall {
         function: signature.function.clone(),
@@ -213,7 +211,6 @@ fn of_dialect(recordings: &[Recording], dialect: DialectName) -> impl Iterator<I
 }
 
 /// Returns the word for what a compiler does with a conversion or a part of a type, as documents have it.
-#[must_use]
 pub fn answer_word(answer: MatrixAnswer) -> &'static str {
     match answer {
         MatrixAnswer::Accepts => MatrixWord::Yes.as_str(),

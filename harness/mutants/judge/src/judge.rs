@@ -11,7 +11,6 @@ use stickler_reference::{Limits, render, run};
 use stickler_types::{Acceptance, Diagnostic, DialectName, Outcome, RunRequest, Value};
 
 /// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
-#[must_use]
 pub fn complaint(case: &PreparedCase) -> Option<String> {
     catch_unwind(AssertUnwindSafe(|| wrong(case))).unwrap_or_else(|_| Some("it panics".to_owned()))
 }

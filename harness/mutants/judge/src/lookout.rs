@@ -17,7 +17,6 @@ pub struct Lookout(Arc<AtomicUsize>);
 
 impl Lookout {
     /// Begins to watch. `give_up` is called with the index of the case and what is wrong with it, and ends the process.
-    #[must_use]
     pub fn begin(give_up: impl Fn(usize, &str) + Send + 'static) -> Lookout {
         let lookout = Lookout::default();
         let at = lookout.clone();

@@ -59,7 +59,6 @@ pub fn write(cases: &[PreparedCase]) -> serde_json::Result<String> {
 }
 
 /// Returns the lines of a file of cases, each of which [`read`] reads; `None` where the file is cut short, or has another form.
-#[must_use]
 pub fn lines(text: &str) -> Option<Vec<&str>> {
     let (count, cases) = text.strip_suffix('\n')?.split_once('\n')?;
     let lines: Vec<&str> = cases.lines().collect();

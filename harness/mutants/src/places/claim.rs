@@ -147,7 +147,6 @@ pub struct Rule {
 
 impl PairKind {
     /// Returns the kind of a pair of types; `None` for a type and itself.
-    #[must_use]
     pub fn of(from: ElementaryType, to: ElementaryType) -> Option<PairKind> {
         use Family::{BitString, Boolean, Character, Real, Signed, Text, Unsigned};
         let wider = from.bits() < to.bits();
@@ -187,7 +186,6 @@ impl Rule {
     }
 
     /// Returns all rules, in the order of the table.
-    #[must_use]
     pub fn all() -> Vec<Rule> {
         let pairs = |claim: fn(PairKind) -> ConversionClaim, faults: &'static [ClaimBreach]| {
             let rules = PairKind::ALL.into_iter().flat_map(move |kind| {

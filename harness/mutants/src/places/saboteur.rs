@@ -86,7 +86,6 @@ impl fmt::Display for BrokenPlace {
 
 impl Saboteur {
     /// Returns the reference with the claim of the saboteur broken in its place.
-    #[must_use]
     pub fn engine(self) -> ClosureEngine<'static> {
         let mut engine = ClosureEngine::new(&self.to_string(), move |reference, request| {
             self.run(reference, request)

@@ -9,7 +9,6 @@ use std::fmt::Write;
 const SITE_STYLE: &str = include_str!("site.css");
 
 /// Returns a whole page with this title and body; the body is HTML.
-#[must_use]
 pub fn page(title: &str, body: &str) -> String {
     page_with("", title, body)
 }
@@ -28,7 +27,6 @@ pub(super) fn page_with(head: &str, title: &str, body: &str) -> String {
 }
 
 /// Escapes a text for an element or a quoted attribute.
-#[must_use]
 pub fn escaped(text: &str) -> String {
     visible(text)
         .replace('&', "&amp;")

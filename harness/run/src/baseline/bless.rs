@@ -24,7 +24,6 @@ pub struct EngineRun {
 
 impl EngineRun {
     /// Creates the run of this engine, without cases.
-    #[must_use]
     pub fn new(engine: EngineHeader) -> EngineRun {
         EngineRun {
             engine,
@@ -35,7 +34,6 @@ impl EngineRun {
     }
 
     /// Returns the header of the engine.
-    #[must_use]
     pub fn engine(&self) -> &EngineHeader {
         &self.engine
     }
@@ -127,7 +125,6 @@ pub enum ChangeKind {
 /// comments, while its cases have the expected verdicts; it is narrowed where only some do, widened where others have its cause, and
 /// removed where none does. Cases that were not run stay as they are. Entries about other versions of the engine are
 /// left alone.
-#[must_use]
 pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, day: Date) -> Blessing {
     // As for [`Identity::asked_in`](stickler_engines::Identity::asked_in), of which only the names are known.
     let named = |dialect: DialectName| run.engine.dialects.iter().any(|name| name == dialect.as_str());

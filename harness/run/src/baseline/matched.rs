@@ -27,7 +27,6 @@ impl<'a> MatchedBaseline<'a> {
     ///
     /// An entry that is a case's id goes before one that is a pattern; of two patterns the first of the file counts. Where files of
     /// the suite are broken, no entry is out of date because it fits no case.
-    #[must_use]
     pub fn new(baseline: &Baseline, suite: &'a Suite, engine: &Identity, today: Date) -> MatchedBaseline<'a> {
         let states: Vec<EntryState> = baseline
             .entries
@@ -66,7 +65,6 @@ impl<'a> MatchedBaseline<'a> {
     }
 
     /// Returns the entry for the baseline in the header of a run.
-    #[must_use]
     pub fn header(&self) -> &BaselineHeader {
         &self.header
     }
@@ -75,7 +73,6 @@ impl<'a> MatchedBaseline<'a> {
     /// `xfail`, and a pass that is not expected becomes `xpass`. A pass that is among the expected verdicts stays a pass, a
     /// case that is expected to be unsupported or to differ keeps that verdict, and every verdict that is not expected stays as it
     /// is.
-    #[must_use]
     pub fn apply(
         &self,
         id: &str,

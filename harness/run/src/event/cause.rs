@@ -76,7 +76,6 @@ pub struct Reproducer {
 
 impl Reproducer {
     /// Returns which neighbours deviate in the same way, and which do not, in sentences of a page; nothing where the engine was asked about none.
-    #[must_use]
     pub fn neighbours_told(&self) -> Option<String> {
         let same = self
             .neighbours_in_words(true)
@@ -174,20 +173,17 @@ impl Cause {
     pub const LACKS: &str = "lacks";
 
     /// Returns whether the cause is the lack of a feature of the language.
-    #[must_use]
     pub fn is_lack(&self) -> bool {
         !self.lacked_in.is_empty()
     }
 
     /// Returns the cause as a heading behind the name of the engine.
-    #[must_use]
     pub fn headline(&self) -> String {
         format!("{}{}", self.verb(), self.title)
     }
 
     /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or gives no answer, or does not have it.
     /// Empty of another cause, whose title is a sentence.
-    #[must_use]
     pub fn verb(&self) -> &'static str {
         let got = |is: fn(&Fact) -> bool| self.shown.got.iter().any(is);
         match self.is_lack() {
@@ -200,19 +196,16 @@ impl Cause {
 
     /// Returns whether the cause is the lack of a feature that a source which binds the engine promises, or at whose minimal program the
     /// engine crashes or hangs.
-    #[must_use]
     pub fn is_failing_lack(&self) -> bool {
         self.lacked_in.values().any(|verdict| !verdict.is_as_expected())
     }
 
     /// Returns the number of cases that fail for this cause.
-    #[must_use]
     pub fn number(&self) -> u64 {
         self.cases.iter().map(|some| some.cases).sum()
     }
 
     /// Returns the number of these cases that are not as expected, which an expected failure is.
-    #[must_use]
     pub fn unexpected(&self) -> u64 {
         let unexpected = self.cases.iter().filter(|some| !some.verdict.is_as_expected());
         unexpected.map(|some| some.cases).sum()
@@ -220,7 +213,6 @@ impl Cause {
 
     /// Returns the number of cases that fail for this cause, and before it how many of these are not as expected where not all are: `58`,
     /// `56 of 58`.
-    #[must_use]
     pub fn cases_shown(&self) -> String {
         match (self.unexpected(), self.number()) {
             (0, all) => grouped(all),
@@ -230,19 +222,16 @@ impl Cause {
     }
 
     /// Returns whether no case of the cause contradicts a source that binds the engine.
-    #[must_use]
     pub fn differs(&self) -> bool {
         !self.is_lack() && self.cases.iter().all(|some| some.verdict == Verdict::Differs)
     }
 
     /// Returns whether the questions were spent before the shown program was as small as it can be.
-    #[must_use]
     pub fn is_partly_reduced(&self) -> bool {
         self.reduction == Reduced::Partly
     }
 
     /// Returns whether two causes are the same, found in two parts of a run.
-    #[must_use]
     pub fn is_same(&self, other: &Cause) -> bool {
         (&self.engine, &self.symptom, &self.construct) == (&other.engine, &other.symptom, &other.construct)
     }

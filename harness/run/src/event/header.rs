@@ -92,7 +92,6 @@ pub struct EngineHeader {
 
 impl EngineHeader {
     /// Returns the exact command that runs a case again on this engine.
-    #[must_use]
     pub fn rerun(&self, id: &str, dialect: &str) -> String {
         rerun(&self.rerun, id, dialect)
     }

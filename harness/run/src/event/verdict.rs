@@ -38,14 +38,12 @@ words! {
 
 impl Verdict {
     /// Joins alternative verdicts for people: `fail or crash`.
-    #[must_use]
     pub fn any_of(verdicts: &[Verdict]) -> String {
         let words: Vec<&str> = verdicts.iter().map(|verdict| verdict.as_str()).collect();
         words.join(" or ")
     }
 
     /// Returns whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is stale.
-    #[must_use]
     pub const fn is_as_expected(self) -> bool {
         matches!(
             self,
@@ -54,7 +52,6 @@ impl Verdict {
     }
 
     /// Returns whether the engine did something else than the case expects. An engine that does not support a case did nothing.
-    #[must_use]
     pub const fn is_discrepancy(self) -> bool {
         matches!(
             self,
@@ -103,19 +100,16 @@ impl Totals {
     }
 
     /// Returns the number of times that this verdict came.
-    #[must_use]
     pub fn of(mut self, verdict: Verdict) -> u64 {
         *self.counter(verdict)
     }
 
     /// Returns the number of all verdicts.
-    #[must_use]
     pub fn all(&self) -> u64 {
         Verdict::ALL.iter().map(|&verdict| self.of(verdict)).sum()
     }
 
     /// Returns the number of verdicts that are not as expected.
-    #[must_use]
     pub fn unexpected(&self) -> u64 {
         let unexpected = Verdict::ALL.iter().filter(|verdict| !verdict.is_as_expected());
         unexpected.map(|&verdict| self.of(verdict)).sum()

@@ -8,7 +8,6 @@
 /// A body is the text between a POU's header or its last `END_VAR` and its `END_PROGRAM`, `END_FUNCTION` or
 /// `END_FUNCTION_BLOCK`. Headers, variable blocks, TYPE declarations and configurations are left out. Each of those words is
 /// recognized only at the beginning of a line, where a renderer puts it. Basis: conformance-cases/README.md (marks).
-#[must_use]
 pub fn rendered_bodies(text: &str) -> Vec<&str> {
     let mut room = Room::Outside;
     let mut bodies = Vec::new();

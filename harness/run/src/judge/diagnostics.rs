@@ -63,7 +63,6 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
 /// Returns whether the actual facts of a rejection are those that were expected but for places, further mistakes, or more that is said of
 /// the lines with a mistake: each expected diagnostic came, or has a counterpart without a line, with the same code where `needed` asks for
 /// codes; or some of them came, and nothing else; or, where lines are compared alone, later lines are said to be unreadable, too or instead.
-#[must_use]
 pub fn tells_otherwise_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
     let diagnostics = |facts: &[Fact]| facts.iter().map(|fact| fact.diagnostic().cloned()).collect();
     let (Some(mut missing), Some(mut extra)): (Option<Vec<Diagnostic>>, Option<Vec<Diagnostic>>) =

@@ -74,7 +74,6 @@ fn compare_again(text: &str, again: &Outcome, findings: &mut Findings) {
 
 /// Returns whether rendered lines have the expected accesses of bits, in the expected form: that is all a document says of what is
 /// rendered.
-#[must_use]
 pub fn renders_bit_access(expected: &[Fact], got: &[Fact]) -> bool {
     let rendered = |facts: &[Fact]| {
         let lines = facts.iter().find_map(|fact| match fact {

@@ -72,7 +72,6 @@ impl AcceptedTable {
 
 impl StatementsBuilder {
     /// Begins a table whose columns are these dialects.
-    #[must_use]
     pub fn new(dialects: Vec<DialectName>) -> StatementsBuilder {
         StatementsBuilder {
             dialects,
@@ -146,13 +145,11 @@ impl StatementsBuilder {
     }
 
     /// Returns the dialects that are the columns of the table.
-    #[must_use]
     pub fn dialects(&self) -> &[DialectName] {
         &self.dialects
     }
 
     /// Returns the functions, each with its calls.
-    #[must_use]
     pub fn functions(&self) -> &[StatedFunction] {
         &self.functions
     }
@@ -176,13 +173,11 @@ impl StatementsBuilder {
     }
 
     /// Returns whether no case has asked a question yet.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.pairs.all.is_empty() && self.parts.all.is_empty() && self.functions.is_empty()
     }
 
     /// Returns the table, with what documents state of each call, and what the recorded compilers answer.
-    #[must_use]
     pub fn finish(mut self, recordings: &[Recording]) -> Statements {
         let mut recorded = RecordedColumn::all(recordings, &self.dialects);
         let mut all = Statements {
@@ -327,7 +322,6 @@ impl StatedFunction {
     }
 
     /// Returns the expected results of the calls in a dialect; `index` is that of the dialect among all.
-    #[must_use]
     pub fn expected(&self, index: usize, dialect: DialectName) -> Vec<ExpectedResult> {
         let of_call = |(number, call): (usize, &Vec<Value>)| {
             let asserted = self.asserted.get(&(number, index));

@@ -55,7 +55,6 @@ pub enum Domain {
 
 impl Domain {
     /// Returns the domain of a function with the given types of operands; an empty one unless there are one or two operands.
-    #[must_use]
     pub fn of(operands: &[ElementaryType], sampling: Sampling) -> Domain {
         let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
         let (random, detail) = (SplitMix64::separate(sampling.seed), sampling.detail);
@@ -72,7 +71,6 @@ impl Domain {
     }
 
     /// Returns the number of inputs.
-    #[must_use]
     pub fn len(&self) -> u64 {
         match self {
             Domain::Every(ty) => 1 << ty.bits().min(63),
@@ -83,20 +81,17 @@ impl Domain {
     }
 
     /// Returns whether there is no input.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
     /// Returns whether the domain has every value of its type.
-    #[must_use]
     pub const fn is_exhaustive(&self) -> bool {
         matches!(self, Domain::Every(_))
     }
 
     /// Returns the number of inputs that were chosen, by hand or as neighbours of a boundary, and the number of sampled ones;
     /// `None` where the domain has every value of its type.
-    #[must_use]
     pub fn parts(&self) -> Option<(u64, u64)> {
         match self {
             Domain::Every(_) => None,
@@ -107,7 +102,6 @@ impl Domain {
     }
 
     /// Returns the operands at a place. Beyond the last place they are further samples.
-    #[must_use]
     pub fn operands(&self, place: u64) -> Vec<Value> {
         match self {
             Domain::Every(ty) => vec![Value::plain(*ty, ty.wrap(place.into()))],

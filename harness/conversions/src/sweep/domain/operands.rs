@@ -18,7 +18,6 @@ pub type TextOperands = Operands<Vec<u16>>;
 
 impl<C> Operands<C> {
     /// Makes a list of chosen inputs, followed by a number of sampled ones.
-    #[must_use]
     pub const fn new(ty: ElementaryType, chosen: Vec<C>, sampled: u64, random: SplitMix64) -> Operands<C> {
         Operands {
             ty,
@@ -29,19 +28,16 @@ impl<C> Operands<C> {
     }
 
     /// Returns the number of chosen inputs.
-    #[must_use]
     pub fn chosen(&self) -> u64 {
         self.chosen.len() as u64
     }
 
     /// Returns the number of sampled inputs.
-    #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
     }
 
     /// Returns the number of inputs, chosen and sampled.
-    #[must_use]
     pub fn count(&self) -> u64 {
         self.chosen().saturating_add(self.sampled)
     }
@@ -54,7 +50,6 @@ impl<C> Operands<C> {
 
 impl Operands {
     /// Returns the raw form at a place.
-    #[must_use]
     pub fn raw(&self, place: u64) -> u64 {
         match self.chosen_at(place) {
             Some(raw) => *raw,
@@ -63,7 +58,6 @@ impl Operands {
     }
 
     /// Returns the value at a place.
-    #[must_use]
     pub fn value(&self, place: u64) -> Value {
         Value::plain(self.ty, self.raw(place))
     }
@@ -71,7 +65,6 @@ impl Operands {
 
 impl TextOperands {
     /// Returns the text at a place.
-    #[must_use]
     pub fn value(&self, place: u64) -> Value {
         let units = match self.chosen_at(place) {
             Some(units) => units.clone(),

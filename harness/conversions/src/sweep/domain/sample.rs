@@ -7,7 +7,6 @@ const SECOND: i64 = 1_000 * MILLISECOND;
 const DAY: i64 = 86_400 * SECOND;
 
 /// Returns the raw form of the sampled value of a type at a place; the same source of random numbers gives the same value.
-#[must_use]
 pub fn sampled(ty: ElementaryType, random: SplitMix64, place: u64) -> u64 {
     raw(ty, random.at(2 * place), random.at(2 * place + 1))
 }

@@ -4,7 +4,6 @@ use std::sync::LazyLock;
 use stickler_types::{ElementaryType, SplitMix64};
 
 /// Returns texts written by hand, of every kind that the readers of numbers, BOOL, durations and dates tell apart.
-#[must_use]
 pub fn by_hand(ty: ElementaryType) -> Vec<Vec<u16>> {
     let long = [
         "0".repeat(300) + "1",
@@ -55,7 +54,6 @@ fn shown(line: &str) -> String {
 }
 
 /// Generates a number-like text: an integer, a real number with or without an exponent, or random pieces.
-#[must_use]
 pub fn made_up(random: SplitMix64) -> Vec<u16> {
     let sign = ["", "", "-", "+"][(random.at(0) % 4) as usize];
     let number = random.at(1) >> (random.at(2) % 64);

@@ -26,7 +26,6 @@ pub struct Checksum {
 
 impl Checksum {
     /// Returns the checksum of results that are integers, bit strings, BOOL or real numbers; `None` for other types.
-    #[must_use]
     pub const fn new(result: ElementaryType) -> Option<Checksum> {
         match result.family() {
             Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Real => {
@@ -39,7 +38,6 @@ impl Checksum {
     /// Returns the sum after one more result, given in its raw form.
     ///
     /// Zeros of either sign count the same, and so do a NaN, the infinities and all numbers far outside the range of REAL.
-    #[must_use]
     pub fn add(self, total: u64, raw: u64) -> u64 {
         let step = |total, part| (total * FACTOR + part) % MODULUS;
         match (self.result.family(), self.result.bits()) {
@@ -71,7 +69,6 @@ impl Checksum {
     }
 
     /// Returns the ST declarations of the checksum's variables besides `given`, which holds the result.
-    #[must_use]
     pub fn declarations(self) -> String {
         let more = match (self.result.family(), self.result) {
             (Family::Real, _) => {
@@ -85,7 +82,6 @@ impl Checksum {
     }
 
     /// Returns the ST statements that add `given` to `total`, each line indented twice.
-    #[must_use]
     pub fn statements(self) -> String {
         use ElementaryType::{Bool, Lint, Lreal, Lword, Real, Ulint};
         let ty = self.result;

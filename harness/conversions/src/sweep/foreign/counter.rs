@@ -22,7 +22,6 @@ pub struct Counter {
 
 impl Counter {
     /// Returns the counter of an integer, a bit string or REAL; `None` for any other type and for those of more than 32 bits.
-    #[must_use]
     pub const fn new(operand: ElementaryType) -> Option<Counter> {
         use ElementaryType::{Byte, Dint, Dword, Int, Real, Sint, Udint, Uint, Usint, Word};
         let counted = match operand {
@@ -37,7 +36,6 @@ impl Counter {
 
     /// Returns the ranges of places whose operands are one step apart, in order. Leaves out the infinities and NaNs, which no
     /// program can count. Each zero of a REAL is a range of its own, so that the sign of its result can be observed.
-    #[must_use]
     pub fn stretches(self) -> Vec<Range<u64>> {
         if self.operand == ElementaryType::Real {
             return [0, SIGN].into_iter().flat_map(binades).collect();
@@ -50,7 +48,6 @@ impl Counter {
     }
 
     /// Returns the number of values of the type that are in no stretch.
-    #[must_use]
     pub const fn left_out(self) -> u64 {
         match self.operand {
             ElementaryType::Real => 2 * (SIGN - INFINITY),
@@ -59,7 +56,6 @@ impl Counter {
     }
 
     /// Returns the ST declarations of the counter's variables, `operand` among them, initialized for a place.
-    #[must_use]
     pub fn declarations(self, place: u64) -> String {
         let Counter { operand, counted } = self;
         let start = literal(counted, place);
@@ -81,7 +77,6 @@ impl Counter {
     }
 
     /// Returns the ST statement that converts the counted variable to the operand; empty where both are the same variable.
-    #[must_use]
     pub fn making(self) -> String {
         let Counter { operand, counted } = self;
         if operand == counted {
@@ -91,7 +86,6 @@ impl Counter {
     }
 
     /// Returns the ST statement that advances to the next operand.
-    #[must_use]
     pub fn advancing(self) -> String {
         let Counter { operand, counted } = self;
         match operand {

@@ -56,13 +56,11 @@ pub struct ForeignFindings {
 
 impl ForeignFindings {
     /// Returns whether every input was dealt with.
-    #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.done == self.inputs
     }
 
     /// Returns the number of inputs that the engine answered.
-    #[must_use]
     pub fn answered(&self) -> u64 {
         let unanswered: u64 = self.unanswered.iter().map(|reason| reason.inputs).sum();
         self.done.saturating_sub(self.left_out).saturating_sub(unanswered)
@@ -70,7 +68,6 @@ impl ForeignFindings {
 
     /// Returns whether the engine failed: a mismatch, a wrong sum where a document speaks, an unexplained sum, or a failure to
     /// answer.
-    #[must_use]
     pub fn has_failures(&self) -> bool {
         let failed = |reason: &Unanswered| reason.refusal.kind.is_failure();
         self.mismatches > 0
@@ -80,7 +77,6 @@ impl ForeignFindings {
     }
 
     /// Returns the progress of the sweep.
-    #[must_use]
     pub const fn progress(&self) -> SweepProgress {
         SweepProgress {
             done: self.done,

@@ -31,14 +31,12 @@ pub struct SweepPlan {
 }
 
 /// Returns whether a program can count through all operands of a type and add up results of another.
-#[must_use]
 pub const fn has_digest(operand: ElementaryType, result: ElementaryType) -> bool {
     Counter::new(operand).is_some() && Checksum::new(result).is_some()
 }
 
 impl SweepPlan {
     /// Makes the plan of a sweep.
-    #[must_use]
     pub fn of(sweep: &Sweep) -> SweepPlan {
         match SweepPlan::counting(sweep) {
             Some(counting) => SweepPlan {

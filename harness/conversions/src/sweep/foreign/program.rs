@@ -8,7 +8,6 @@ use stickler_exact::Signature;
 use stickler_types::ElementaryType;
 
 /// Writes a program that adds up the results for the operands at the given places of a stretch, fewer than 2^31.
-#[must_use]
 pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let inputs = places.end - places.start;
@@ -39,7 +38,6 @@ pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -
 }
 
 /// Writes a program that counts through the given places of a stretch and keeps each result in a variable of its own.
-#[must_use]
 pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let (making, advancing) = (counting.counter.making(), counting.counter.advancing());
