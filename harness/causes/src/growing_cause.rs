@@ -240,7 +240,8 @@ impl GrowingCause {
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
-    /// of which the claim of their case still speaks, then claims by their rank, then what does least, then claims by the number of cases that rest on them, then what more cases
+    /// of which the claim of their case still speaks, then claims by their rank, then what does least, then claims by the number of cases that
+    /// rest on them, then what more cases
     /// show, by powers of two, then the smaller program.
     pub(crate) fn preference(&self) -> impl Ord + '_ {
         let program = &self.cause.shown.program;
