@@ -386,7 +386,17 @@ fn rendered(expected: &[Fact], got: &[Fact]) -> String {
         } => Some(rejection.as_deref().unwrap_or("no text")),
         _ => None,
     });
+    let number = |facts: &[Fact]| {
+        let mut lines = facts.iter().filter_map(|fact| match fact {
+            Fact::Rendered { lines } => Some(lines.len()),
+            _ => None,
+        });
+        lines.next()
+    };
     match (differing_lines(expected, got), rejected) {
+        (Some((wanted, _)), _) if number(got) < number(expected) => {
+            format!("`{}` is left out of what is rendered", clipped(wanted))
+        }
         (Some((wanted, reported)), _) => {
             format!("`{}` is rendered as `{}`", clipped(wanted), clipped(reported))
         }
