@@ -49,9 +49,10 @@ impl Asking<'_> {
                 member.cause.title += &format!(", from {first} on");
             }
             let own = format!("`{}`", member.cause.shown.dialect);
-            let mut others = neighbours.iter().filter(|one| one.replaced == own).peekable();
-            if others.peek().is_some() && others.all(|one| !one.is_same) {
-                member.cause.title += &format!(", in {own} alone");
+            let others = || neighbours.iter().filter(|one| one.replaced == own);
+            if others().next().is_some() && others().all(|one| !one.is_same) {
+                let names: Vec<&str> = others().map(|one| one.by.as_str()).collect();
+                member.cause.title += &format!(", but not in {}", names.join(" or "));
             }
             member.cause.shown.neighbours = neighbours;
             member.neighbours = keys;
