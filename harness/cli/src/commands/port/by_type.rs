@@ -41,7 +41,7 @@ pub(super) struct Typed<'s> {
     asserted: HashMap<String, Vec<AssertedResult>>,
     /// The results of [`first_difference`], by the texts of both programs.
     compared: HashMap<[String; 2], Option<Option<Difference>>>,
-    /// What is suggested to be written instead of an expression.
+    /// The text that is suggested in the place of an expression.
     remedies: HashMap<ExpressionId, String>,
 }
 
