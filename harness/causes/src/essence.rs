@@ -7,7 +7,9 @@
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
-use crate::line_features::{DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{
+    DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine,
+};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal, is_whatever_comes};
@@ -39,6 +41,12 @@ pub(crate) const BEYOND_TYPE: &str = "typed literal beyond its type";
 
 /// The words about variables with fields or elements that a compiler has in a PROGRAM only.
 const PARTS_IN_OTHER_UNIT: &str = "variable with fields or elements in a FUNCTION or FUNCTION_BLOCK";
+/// The words about instances of function blocks that a compiler has in a PROGRAM only.
+const INSTANCE_IN_OTHER_UNIT: &str = "instance of a function block in a FUNCTION or FUNCTION_BLOCK";
+/// The words about variables that a compiler does not know by the name of their type.
+const DERIVED_EXTERNAL: &str = "variable of a derived type, or an instance, in VAR_EXTERNAL";
+/// The words about what a compiler does not take in some sections and units, whatever is done with it.
+const MISSING_THERE: [&str; 3] = [PARTS_IN_OTHER_UNIT, INSTANCE_IN_OTHER_UNIT, DERIVED_EXTERNAL];
 /// The features of variables that have fields or elements.
 const WITH_PARTS: [&str; 3] = ["array", "array of structures", "structure"];
 
@@ -136,7 +144,7 @@ impl Essence {
                 .or(normal.way.filter(|_| tells_way))
                 .or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal"))
                 .or((symptom == INCOMPLETE).then_some("mistakes beside others"))
-                .or(symptom.ends_with(IN_OTHER_UNIT).then_some(PARTS_IN_OTHER_UNIT)),
+                .or_else(|| MISSING_THERE.into_iter().find(|missing| symptom == *missing)),
             constructs: features,
             labels,
             is_contained,
@@ -224,6 +232,10 @@ fn needs(
             }
             (symptom, features, names_construct)
         }
+        // The reducer makes sections plain, so that it is the section that decides.
+        Symptom::Rejected(_) | Symptom::NotImplemented(_) if line.uses_external(true) => {
+            (DERIVED_EXTERNAL.to_owned(), BTreeSet::new(), false)
+        }
         // What the engine says of a literal depends on the place where it stands.
         Symptom::Rejected(reason) if line.size_of_integers().is_some() => {
             let (symptom, features) = rejection(line, reason, &sign.at, got);
@@ -252,8 +264,16 @@ fn needs(
             let mut features = line.of_missing(got);
             if let Some(place) = compiler_place(got) {
                 // A FUNCTION or a block that has no variables with parts has none whichever part is asked for.
-                if features.remove(IN_OTHER_UNIT) && features.iter().any(|one| WITH_PARTS.contains(&&**one)) {
-                    return (format!("not implemented {IN_OTHER_UNIT}"), BTreeSet::new(), false);
+                if features.remove(IN_OTHER_UNIT) {
+                    let has_parts = features.iter().any(|one| WITH_PARTS.contains(&&**one));
+                    let missing = match features.contains(INSTANCE) {
+                        _ if has_parts => Some(PARTS_IN_OTHER_UNIT),
+                        true => Some(INSTANCE_IN_OTHER_UNIT),
+                        false => None,
+                    };
+                    if let Some(missing) = missing {
+                        return (missing.to_owned(), BTreeSet::new(), false);
+                    }
                 }
                 return (format!("not implemented at {place}"), BTreeSet::new(), false);
             }
@@ -305,7 +325,7 @@ fn needs(
             let symptom = match unusable_header(got) {
                 Some(header) => format!("unusable {header}"),
                 // What it says of a global variable depends on what is done with it.
-                None if is_unusable && line.uses_external() => {
+                None if is_unusable && line.uses_external(false) => {
                     let mut features = line.of_use();
                     features.insert("VAR_EXTERNAL".to_owned());
                     return ("unusable".to_owned(), features, true);

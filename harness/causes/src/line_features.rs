@@ -56,7 +56,7 @@ pub(crate) const LITERAL: &str = "untyped literal";
 /// The feature of something not implemented that stands in another unit than a PROGRAM.
 pub(crate) const IN_OTHER_UNIT: &str = "function or function block";
 /// The feature of something not implemented with an instance.
-const INSTANCE: &str = "instance of a function block";
+pub(crate) const INSTANCE: &str = "instance of a function block";
 /// The feature of a mistake with a whole array, a structure or an enumeration.
 pub(crate) const DERIVED: &str = "derived type";
 
@@ -435,11 +435,14 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             .collect()
     }
 
-    /// Returns whether the program uses a variable of VAR_EXTERNAL.
-    pub(crate) fn uses_external(&self) -> bool {
-        let sections = |part: &Part<'_, '_>| self.program.section(part.name()?, part.pou);
+    /// Returns whether the program uses a variable of VAR_EXTERNAL, with `only_derived` one of a derived type or an instance of a block.
+    pub(crate) fn uses_external(&self, only_derived: bool) -> bool {
+        let is_external = |name: &str, part: &Part<'_, '_>| {
+            self.program.section(name, part.pou) == Some(VariableKind::External)
+                && (!only_derived || self.variable_kind(name).is_some())
+        };
         let mut parts = self.program.parts.iter();
-        parts.any(|part| sections(part) == Some(VariableKind::External))
+        parts.any(|part| part.name().is_some_and(|name| is_external(name, part)))
     }
 
     /// Returns the sections in which the variables of the line are declared, but plain ones and those of inputs.
