@@ -70,10 +70,12 @@ pub(super) fn with_shown_probes(
     }
 }
 
-/// Adds probe variables to a program. Each line keeps its number: the declarations stand behind the program's
-/// name, the assignments before its `END_PROGRAM`. A variable that takes several values in turn is declared once.
+/// Adds probe variables to a program. Each line keeps its number: the declarations stand behind the last section of
+/// variables, so that those of the program keep their places in memory, the assignments before its `END_PROGRAM`. A
+/// variable that takes several values in turn is declared once.
 pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVariable]) -> String {
-    let mut text = source[..main.inside.start].to_owned();
+    let body = main.body;
+    let mut text = source[..body].to_owned();
     text.push_str(" VAR");
     let mut declared = BTreeSet::new();
     for probe in probes.iter().filter(|probe| declared.insert(&probe.name)) {
@@ -81,7 +83,7 @@ pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVaria
         let _ = write!(text, " {} : {};", probe.name, probe.type_name);
     }
     text.push_str(" END_VAR");
-    text.push_str(&source[main.inside.clone()]);
+    text.push_str(&source[body..main.inside.end]);
     for probe in probes.iter().filter(|probe| !probe.expression.is_empty()) {
         let _ = write!(text, "{} := {}; ", probe.name, probe.expression);
     }
