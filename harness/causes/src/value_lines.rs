@@ -24,7 +24,15 @@ impl<'t, 's> ReadProgram<'t, 's> {
             let assigned = self.assignment(member).filter(|_| self.is_instance(instance))?;
             (self.copied(&assigned) != Some(member)).then_some(assigned)
         };
-        let Some(mut last) = self.assignment(path).or_else(in_block) else {
+        // What nothing assigns by its name may be assigned through a reference.
+        let is_referenced = |part: &&Part<'t, 's>| {
+            let outermost = self.outermost(part);
+            outermost.place == Place::Target
+                && matches!(outermost.expression.kind, ExpressionKind::Dereference { .. })
+        };
+        let by_reference = || self.parts.iter().rfind(is_referenced).copied();
+        let assigned = self.assignment(path).or_else(in_block);
+        let Some(mut last) = assigned.or_else(by_reference) else {
             return self.field_value(path).map(|span| self.line(span));
         };
         for _ in 0..MAX_COPIES {
