@@ -16,7 +16,7 @@ use crate::normal_form::{NUMBERS_PLACELESS, Normal, is_whatever_comes};
 use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
-use crate::question::wrong_values;
+use crate::question::{Deviation, wrong_values};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
@@ -43,10 +43,8 @@ pub(crate) const BEYOND_TYPE: &str = "typed literal beyond its type";
 const PARTS_IN_OTHER_UNIT: &str = "variable with fields or elements in a FUNCTION or FUNCTION_BLOCK";
 /// The words about instances of function blocks that a compiler has in a PROGRAM only.
 const INSTANCE_IN_OTHER_UNIT: &str = "instance of a function block in a FUNCTION or FUNCTION_BLOCK";
-/// The words about variables that a compiler does not know by the name of their type.
-const DERIVED_EXTERNAL: &str = "variable of a derived type, or an instance, in VAR_EXTERNAL";
-/// The words about what a compiler does not take in some sections and units, whatever is done with it.
-const MISSING_THERE: [&str; 3] = [PARTS_IN_OTHER_UNIT, INSTANCE_IN_OTHER_UNIT, DERIVED_EXTERNAL];
+/// The words about what a compiler does not take in some units, whatever is done with it.
+const MISSING_THERE: [&str; 2] = [PARTS_IN_OTHER_UNIT, INSTANCE_IN_OTHER_UNIT];
 /// The features of variables that have fields or elements.
 const WITH_PARTS: [&str; 3] = ["array", "array of structures", "structure"];
 
@@ -232,10 +230,6 @@ fn needs(
             }
             (symptom, features, names_construct)
         }
-        // The reducer makes sections plain, so that it is the section that decides.
-        Symptom::Rejected(_) | Symptom::NotImplemented(_) if line.uses_external(true) => {
-            (DERIVED_EXTERNAL.to_owned(), BTreeSet::new(), false)
-        }
         // What the engine says of a literal depends on the place where it stands.
         Symptom::Rejected(reason) if line.size_of_integers().is_some() => {
             let (symptom, features) = rejection(line, reason, &sign.at, got);
@@ -325,7 +319,7 @@ fn needs(
             let symptom = match unusable_header(got) {
                 Some(header) => format!("unusable {header}"),
                 // What it says of a global variable depends on what is done with it.
-                None if is_unusable && line.uses_external(false) => {
+                None if is_unusable && line.uses_external() => {
                     let mut features = line.of_use();
                     features.insert("VAR_EXTERNAL".to_owned());
                     return ("unusable".to_owned(), features, true);
@@ -351,6 +345,8 @@ fn needs(
         Symptom::Surplus(reported) if has_lost_place(got) => {
             (format!("no place {reported}"), line.partial_accesses(), false)
         }
+        // What is told of a line beside its mistake is told whatever the mistake is.
+        Symptom::Surplus(_) if tells_more_of_line(normal) => (symptom, BTreeSet::new(), false),
         // What is wrong with a number has the place of the number.
         Symptom::NoPlace(code) => {
             let of_number = [
@@ -371,6 +367,18 @@ fn needs(
         Symptom::OtherLine(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
+}
+
+/// Returns whether an engine reports a mistake, and nothing of another line.
+fn tells_more_of_line(normal: &Normal) -> bool {
+    let Deviation { expected, got, .. } = &normal.deviation;
+    let lines = |facts: &[Fact]| -> BTreeSet<Option<u32>> {
+        facts
+            .iter()
+            .filter_map(|fact| Some(fact.diagnostic()?.line))
+            .collect()
+    };
+    lines(expected) == lines(got)
 }
 
 /// Returns whether the first wrong value is one that a variable of a function block begins with.

@@ -7,9 +7,9 @@ use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, has_lost_place, is_unread};
 use crate::key::CauseKey;
 use crate::line_features::STANDARD_PARAMETER;
-use crate::normal_form::Normal;
+use crate::normal_form::{Normal, is_whatever_comes};
 use crate::program::read;
-use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
+use crate::promised::{cite, page_of_code, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
 use crate::title::title;
 use crate::words::{tokens, valued_types};
@@ -127,12 +127,8 @@ impl GrowingCause {
         let basis = basis.unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none() && told.is_none();
         // What is accepted is forbidden by the page about its code, where the makers say no more of it.
-        let of_code = match &shown.deviation.sign.symptom {
-            Symptom::NotRejected(code) if group.shown.verdict != Verdict::Differs => {
-                sources.of_code(code, &engine.name)
-            }
-            _ => None,
-        };
+        let of_code = page_of_code(&shown, &essence, (engine, sources))
+            .filter(|_| group.shown.verdict != Verdict::Differs);
         let basis = match rank(basis, &group.shown.engine, sources) {
             0 => basis,
             _ => of_code.as_deref().unwrap_or(basis),
@@ -252,6 +248,8 @@ impl GrowingCause {
                 Reduced::Partly => 1,
                 Reduced::Not => 2,
             },
+            // A wrong value says more than what else comes of the same.
+            self.essence.pattern.is_some_and(is_whatever_comes) && self.sign.symptom != Symptom::Value,
             self.cause.shown.is_derived,
             self.rank,
             operations(program).len(),

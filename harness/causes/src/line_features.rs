@@ -11,6 +11,7 @@
 //! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
 //! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
 //! | `integer of more than 31 bits`, `63`, `64` | a literal that an `i32`, an `i64` or a `u64` does not hold |
+//! | `large integer as a label` | a label of CASE that an `i32` or an `i64` does not hold |
 //! | `parameter of a standard function`, `partial access` | what the line calls or selects |
 //! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
@@ -62,6 +63,9 @@ pub(crate) const DERIVED: &str = "derived type";
 
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
+
+/// The feature of a large integer that is a label of CASE.
+const LARGE_LABEL: &str = "large integer as a label";
 
 /// A set of words.
 type Words = BTreeSet<String>;
@@ -435,14 +439,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             .collect()
     }
 
-    /// Returns whether the program uses a variable of VAR_EXTERNAL, with `only_derived` one of a derived type or an instance of a block.
-    pub(crate) fn uses_external(&self, only_derived: bool) -> bool {
-        let is_external = |name: &str, part: &Part<'_, '_>| {
-            self.program.section(name, part.pou) == Some(VariableKind::External)
-                && (!only_derived || self.variable_kind(name).is_some())
-        };
+    /// Returns whether the program uses a variable of VAR_EXTERNAL.
+    pub(crate) fn uses_external(&self) -> bool {
+        let sections = |part: &Part<'_, '_>| self.program.section(part.name()?, part.pou);
         let mut parts = self.program.parts.iter();
-        parts.any(|part| part.name().is_some_and(|name| is_external(name, part)))
+        parts.any(|part| sections(part) == Some(VariableKind::External))
     }
 
     /// Returns the sections in which the variables of the line are declared, but plain ones and those of inputs.
@@ -485,7 +486,12 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn size_of_integers(&self) -> Option<&'static str> {
         let literals = self.program.literals();
         let here = literals.filter(|(part, _)| self.is_on_line(part.expression.span));
-        let sizes = here.filter_map(|(_, literal)| size_of_integer(literal));
+        let sizes = here.filter_map(|(part, literal)| {
+            let size = size_of_integer(literal)?;
+            // The labels of CASE are read by a piece of work of their own, whatever the type of the selector.
+            let is_label = part.place == Place::Label && size != SIZES[2];
+            Some(if is_label { LARGE_LABEL } else { size })
+        });
         sizes.max_by_key(|size| SIZES.iter().position(|one| one == size))
     }
 

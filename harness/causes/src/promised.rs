@@ -1,9 +1,10 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
-use crate::essence::BEYOND_TYPE;
-use crate::failure_sign::is_unread;
+use crate::essence::{BEYOND_TYPE, Essence};
+use crate::failure_sign::{is_of_reading, is_unread};
 use crate::line_features::passes_in_out;
+use crate::lines::{LinePlace, place_of};
 use crate::loop_limits::TO_LAST_VALUE;
 use crate::patterns::UNREAD_ESCAPES;
 use crate::program::{Program, ReadProgram};
@@ -17,7 +18,7 @@ use stickler_engines::Identity;
 use stickler_run::{Fact, Symptom, promise_of};
 use stickler_suite::{Case, Feature, Features, Role, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
-use stickler_types::Dialect;
+use stickler_types::{Code, Dialect};
 
 /// Returns the basis by which an engine must take the program of a cause: the first one that promises its most specific feature and
 /// binds the engine. `None` where the program does something else that nobody promises.
@@ -106,6 +107,32 @@ pub(crate) fn promise_of_pattern<'s>(
     let key = of_pattern.map(|(key, _)| (*key).to_owned()).or_else(of_section)?;
     let feature = suite.features.get(&key)?;
     promise_of(feature, (program, case.dialect), engine, suite)
+}
+
+/// Returns the page about the code of a mistake that is accepted; `None` where this version of the engine does not have the code, or where the
+/// page speaks of other mistakes: of a text that cannot be read it says nothing of what must be read, and of variables and assignments
+/// nothing of the fields of an initial value and of loops.
+pub(crate) fn page_of_code(
+    shown: &Smallest,
+    essence: &Essence,
+    (engine, sources): (&Identity, &Sources),
+) -> Option<String> {
+    let Symptom::NotRejected(code) = &shown.deviation.sign.symptom else {
+        return None;
+    };
+    let line = shown
+        .deviation
+        .expected
+        .iter()
+        .find_map(|fact| fact.diagnostic()?.line)?;
+    let program = Program::new(&shown.program);
+    let is_elsewhere = match code.parse().ok()? {
+        Code::AssignmentTypeMismatch => essence.constructs.contains("condition"),
+        Code::VariableUndefined => matches!(place_of(&program.read(), line), LinePlace::Section(_)),
+        own => engine.lacks.contains(&own),
+    };
+    let page = || sources.of_code(code, &engine.name);
+    (!is_elsewhere && !is_of_reading(code)).then(page).flatten()
 }
 
 /// Returns the basis by which an engine must take a value in the one place that all cases of a cause have in common. `None` where they share

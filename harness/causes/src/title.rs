@@ -90,7 +90,7 @@ impl Titled<'_, '_> {
                 let (line, mistake) = (self.line(missing.line), named(&missing));
                 format!("{line}: {mistake} is not reported beside other mistakes")
             }
-            Symptom::Surplus(_) => self.surplus(&wanted),
+            Symptom::Surplus(reported) => self.surplus(reported, &wanted),
             Symptom::Value | Symptom::Missing => self.wrong_value(),
             Symptom::OtherType => format!("values have {OTHER_TYPE}"),
             Symptom::NotWarned(_) => {
@@ -236,9 +236,12 @@ impl Titled<'_, '_> {
         found.cloned().unwrap_or_default()
     }
 
-    fn surplus(&self, wanted: &Diagnostic) -> String {
-        let mut extra = self.got.iter().filter(|fact| !self.expected.contains(fact));
-        let extra = extra.find_map(Fact::diagnostic).cloned().unwrap_or_default();
+    fn surplus(&self, reported: &str, wanted: &Diagnostic) -> String {
+        let extra = || self.got.iter().filter(|fact| !self.expected.contains(fact));
+        let has_code = |one: &&Diagnostic| one.code.as_deref() == Some(reported);
+        let of_code = extra().filter_map(Fact::diagnostic).find(has_code);
+        let extra = of_code.or_else(|| extra().find_map(Fact::diagnostic));
+        let extra = extra.cloned().unwrap_or_default();
         if extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
             let (line, mistake) = (self.line(wanted.line), named(wanted));
             return format!("{line}: {mistake} is reported once more, without its place");

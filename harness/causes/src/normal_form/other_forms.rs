@@ -36,7 +36,10 @@ const WHATEVER_COMES: [(&str, Form); 2] = [
 
 /// The ways of an engine that computes wrong values.
 const OF_VALUES: [(&str, Form); 2] = [
-    ("operation in the type of its target", ways::in_two_steps),
+    (
+        "operation in a wider type than its operands have",
+        ways::in_two_steps,
+    ),
     ("comparison in the type of its first operand", ways::turned_round),
 ];
 

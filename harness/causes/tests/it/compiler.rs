@@ -26,6 +26,8 @@ pub struct Defects {
     pub dies_of_mistakes: bool,
     /// The codes of the mistakes that it does not see.
     pub accepts: Vec<String>,
+    /// A code with which it reports each mistake once more.
+    pub adds: Option<String>,
     /// Texts of lines about whose mistakes it says line 1, column 1; an empty text is in every line.
     pub loses_places: Vec<String>,
     /// A text at which it stops when it runs the program, and what it says then.
@@ -274,6 +276,13 @@ impl Defects {
                 };
                 for reported in diagnostics.iter_mut().filter(is_lost) {
                     (reported.line, reported.column) = (Some(1), Some(1));
+                }
+                if let Some(code) = &self.adds {
+                    let mut added = diagnostics.clone();
+                    for reported in &mut added {
+                        reported.code = Some(code.clone());
+                    }
+                    diagnostics.extend(added);
                 }
                 match diagnostics.is_empty() {
                     true => Outcome::ACCEPTED,

@@ -7,7 +7,11 @@ use stickler_types::Diagnostic;
 /// Returns the symptom of an expected rejection, by those parts of the diagnostics that were compared.
 pub(super) fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
-    let reported = extra.first().map(|first| reason(first)).unwrap_or_default();
+    // Where lines are compared alone, what is told of a line beside its mistake has another code.
+    let is_expected = |one: &&&Diagnostic| expected.iter().any(|wanted| wanted.code == one.code);
+    let beside = || got.iter().find(|one| !is_expected(one));
+    let reported = extra.first().or_else(beside);
+    let reported = reported.map(|first| reason(first)).unwrap_or_default();
     // Where lines are not compared, only a diagnostic on a line without a mistake is wrong.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
         return Symptom::Surplus(reported);
