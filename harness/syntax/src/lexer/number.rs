@@ -83,7 +83,7 @@ impl Lexer<'_, '_> {
                 if sound {
                     Ok(NumberForm::Real)
                 } else {
-                    Err(MALFORMED_DIGITS)
+                    Err(self.wrong_digits(first))
                 }
             }
             b'e' | b'E' if sound && self.dialect.reals_without_point => {
@@ -91,11 +91,19 @@ impl Lexer<'_, '_> {
                 match self.exponent() {
                     true if self.at > integer => Ok(NumberForm::Real),
                     true => Ok(NumberForm::Integer),
-                    false => Err(MALFORMED_DIGITS),
+                    false => Err(self.wrong_digits(first)),
                 }
             }
             _ if sound => Ok(NumberForm::Integer),
-            _ => Err(MALFORMED_DIGITS),
+            _ => Err(self.wrong_digits(first)),
+        }
+    }
+
+    /// Returns what is wrong with the digits of a number that begins at `first`.
+    fn wrong_digits(&self, first: usize) -> &'static str {
+        match self.bytes[first..self.at].contains(&b'_') {
+            true => MISPLACED_UNDERSCORE,
+            false => "digits are missing",
         }
     }
 
@@ -141,7 +149,7 @@ impl Lexer<'_, '_> {
             0 => Err("the base of an integer literal is 2, 8 or 16"),
             _ if digits.is_empty() => Err("digits are missing behind `#`"),
             _ if !digits.iter().all(known) => Err("a digit does not belong to the base"),
-            _ if !well_spaced(digits) => Err(MALFORMED_DIGITS),
+            _ if !well_spaced(digits) => Err(MISPLACED_UNDERSCORE),
             _ => Ok(NumberForm::Based),
         }
     }
@@ -185,7 +193,7 @@ impl Lexer<'_, '_> {
     }
 }
 
-const MALFORMED_DIGITS: &str = "digits are missing, or an underscore does not stand between two digits";
+const MISPLACED_UNDERSCORE: &str = "an underscore does not stand between two digits";
 
 /// Underscores stand singly and between digits.
 fn well_spaced(digits: &[u8]) -> bool {
