@@ -1,7 +1,7 @@
 //! Other forms of a small program: with fewer statements, with other operands, types and literals.
 
 use crate::program::{Part, ReadProgram, read};
-use crate::words::{elementary, is_number, tokens};
+use crate::words::{elementary, is_number, tokens, type_of_word};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_suite::without_blank_lines;
@@ -324,8 +324,8 @@ pub(crate) fn with_types(text: &str, changes: &[(&str, &str)]) -> String {
     edits.apply(text)
 }
 
-/// Returns programs with a plainer numeric type in the place of one, and with unsigned integers in the place of bit strings; none where
-/// two types would become one.
+/// Returns programs with a plainer numeric type in the place of one, with unsigned integers in the place of bit strings, and with zeros in the
+/// place of texts, durations and dates; none where two types would become one.
 pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
     let there = named_types(text);
@@ -340,6 +340,10 @@ pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
         found.push(with_types(text, &bit_strings));
     }
     for name in &there {
+        let is_other = |ty: &ElementaryType| ty.is_text() || ty.is_duration() || ty.is_date_or_time();
+        if is_free(PLAIN[0]) && elementary(name).as_ref().is_some_and(is_other) {
+            found.push(with_zeros(&with_types(text, &[(name, PLAIN[0])])));
+        }
         let ty = elementary(name).filter(|ty| is_number(*ty));
         let plainer = PLAIN.iter().take_while(|plain| *plain != name);
         let is_neighbour =
@@ -348,6 +352,19 @@ pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
         found.extend(plainer.map(|plain| with_types(text, &[(name, plain)])));
     }
     found
+}
+
+/// Returns a text with a zero in the place of each text, duration and date.
+fn with_zeros(text: &str) -> String {
+    let mut edits = Edits::new();
+    for token in tokens(text).iter().filter(|token| token.kind.is_literal()) {
+        let literal = token.span.text(text);
+        let ty = type_of_word(literal).filter(|_| literal.contains('#'));
+        if literal.starts_with(['\'', '"']) || ty.is_some_and(|ty| !is_number(ty)) {
+            edits.replace(token.span, "0");
+        }
+    }
+    edits.apply(text)
 }
 
 /// Returns programs with one of the types in the place of another, for each pair of types.

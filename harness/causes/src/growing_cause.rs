@@ -5,6 +5,7 @@ use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, has_lost_place, is_unread};
+use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::{Normal, is_whatever_comes};
@@ -78,7 +79,14 @@ impl GrowingCause {
         let is_empty = |pou: &Pou<'_>| pou.body.is_empty();
         let is_initial = smallest.deviation.sign.symptom == Symptom::Value
             && read(&normal.program, |program| program.unit.pous().all(is_empty));
-        let is_other_form = is_plainer || is_initial || normal.has_variables;
+        // What is rejected with a plainer type too is shown with that, since the type does not matter.
+        let types = named_types(&normal.program);
+        let mut former = named_types(&smallest.program).into_iter();
+        let is_plainer_type = smallest.deviation.sign.rejects_valid()
+            && normal.deviation.sign.symptom == smallest.deviation.sign.symptom
+            && length(&normal.program) <= length(&smallest.program)
+            && former.any(|ty| !PLAIN.contains(&ty) && !types.contains(ty));
+        let is_other_form = is_plainer || is_initial || is_plainer_type || normal.has_variables;
         let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),

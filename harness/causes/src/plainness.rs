@@ -125,7 +125,10 @@ pub(crate) fn plainer_numbers(program: &ReadProgram<'_, '_>) -> Vec<Edits> {
 
 /// Returns how far the types and the numbers of a program are from the plainest.
 pub(crate) fn plainness(program: &ReadProgram<'_, '_>) -> u128 {
-    let rank = |name: &str| PLAIN.iter().position(|plain| *plain == name).unwrap_or_default() as u128;
+    let rank = |name: &str| match PLAIN.iter().position(|plain| *plain == name) {
+        None if name != "BOOL" => PLAIN.len() as u128,
+        place => place.unwrap_or_default() as u128,
+    };
     let types: u128 = named_types(program.text).into_iter().map(rank).sum();
     let numbers = plain_numbers(program).map(|(_, number)| {
         let features = number.features().into_iter().filter(|is_there| *is_there).count();

@@ -5,7 +5,7 @@ use crate::compiler_place::compiler_place;
 use crate::failure_sign::differing_lines;
 use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
 use crate::patterns::is_no_moment;
-use crate::program::{Program, ReadProgram};
+use crate::program::{Part, Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
 use crate::words::{LOOPS, has_word, tokens, words};
@@ -15,6 +15,7 @@ use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::Pou;
+use stickler_syntax::visitor::Place;
 use stickler_types::{Code, Diagnostic, DialectName};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
@@ -308,14 +309,36 @@ impl Titled<'_, '_> {
         match (decides, computed) {
             // A line computes the value: the title tells what it gives, if it names what has the value.
             (None, Some(line)) if !self.assigns_another(line, name) => {
-                format!("{} gives {other}, not {value}", described(line))
+                let later = self.changed_later(line);
+                let later = later.map_or(String::new(), |code| format!(", and then `{}`,", clipped(code)));
+                format!("{}{later} gives {other}, not {value}", described(line))
             }
             // A condition decides the value, or nothing computes it: the title tells that line, and names the variable.
-            (line, computed) => format!(
-                "{}: {name} is {other}, not {value}",
-                described(line.or(computed).unwrap_or(declared))
-            ),
+            (line, computed) => {
+                let guarded = computed.filter(|at| line.is_some() && condition(&self.program, *at) == line);
+                let guarded = guarded.and_then(|at| self.statement_on(at));
+                let around = guarded.map_or(String::new(), |code| format!(" around `{}`", clipped(code)));
+                let told = described(line.or(computed).unwrap_or(declared));
+                format!("{told}{around}: {name} is {other}, not {value}")
+            }
         }
+    }
+
+    /// Returns the statement that a line is.
+    fn statement_on(&self, line: u32) -> Option<&str> {
+        Some(self.program.line_text(line)?.trim().trim_end_matches(';'))
+    }
+
+    /// Returns the first statement behind a line that changes what the line reads.
+    fn changed_later(&self, line: u32) -> Option<&str> {
+        let (_, value) = self.statement_on(line)?.split_once(":=")?;
+        let place = |part: &Part<'_, '_>| self.program.line(part.expression.span);
+        let changes = |part: &&Part<'_, '_>| {
+            self.program.outermost(part).place == Place::Target
+                && part.name().is_some_and(|name| has_word(value, name))
+        };
+        let mut behind = self.program.parts.iter().filter(|part| place(part) > line);
+        self.statement_on(place(behind.find(changes)?))
     }
 }
 

@@ -5,7 +5,6 @@ use crate::rules::TextState;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{Argument, Expression, ExpressionKind, Pou, StatementKind};
 use stickler_syntax::visitor::{Place, operands};
-use stickler_types::ElementaryType;
 
 /// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
 /// number comes before an integer, which may stand for one.
@@ -135,14 +134,7 @@ pub(crate) fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
         );
         let name = expression.span.text(view.text()).to_ascii_lowercase();
         if let (true, Some(value)) = (is_read, values.get(&name)) {
-            // A number without its type is plainer, where it does as well.
-            let is_number = |ty: ElementaryType| ty.is_number();
-            let number = value
-                .split_once('#')
-                .filter(|(ty, _)| ElementaryType::from_name(ty).is_some_and(is_number));
-            let plain = number.map(|(_, plain)| plain).into_iter();
-            let forms = plain.chain([value.as_str()]);
-            changes.extend(forms.map(|form| Edits::replacing(expression.span, form)));
+            changes.push(Edits::replacing(expression.span, value.as_str()));
         }
     }
     view.only_allowed(changes)
