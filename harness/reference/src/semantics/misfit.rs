@@ -11,6 +11,7 @@ pub(super) fn describe(types: &TypeTable, inferred: Inferred) -> String {
         Inferred::Known(ty) => types.name(ty),
         Inferred::Integer(_) => "an integer literal".to_owned(),
         Inferred::Real => "a real literal".to_owned(),
+        Inferred::Text { wide: true, .. } => "a text literal in double quotes".to_owned(),
         Inferred::Text { .. } => "a text literal".to_owned(),
         Inferred::Nothing => "what has no value by itself".to_owned(),
         Inferred::Enumerated => "an enumerated value".to_owned(),
