@@ -4,7 +4,6 @@ use crate::adapters::locate::without_colours;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, Outcome, RunRequest};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -120,8 +119,7 @@ impl Reproduction {
         text.push_str(&self.assignments());
         text.push_str("set -e\ncd \"$(dirname \"$0\")\"\n");
         for command in &self.commands {
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "{command}");
+            text.push_str(&format!("{command}\n"));
         }
         ReproductionFile {
             name: SCRIPT.to_owned(),

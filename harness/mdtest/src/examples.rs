@@ -18,7 +18,6 @@
 
 use crate::markdown::{Fence, Mistake, Row, Section, sections, with_last_cell};
 use std::env;
-use std::fmt::Write as _;
 use std::fs;
 use std::ops::Range;
 
@@ -220,14 +219,12 @@ pub fn check_examples(path: &str, mut result: impl FnMut(&Example) -> String) {
     }
     let mut report = format!("{} examples differ\n", differing.len());
     for (example, expected, came) in differing {
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            report,
-            "\n{path}:{}: {}",
+        report.push_str(&format!(
+            "\n{path}:{}: {}\n",
             expected.lines.start + 1,
             example.heading()
-        );
-        let _ = writeln!(report, "--- expected\n{}\n--- came\n{came}", expected.text);
+        ));
+        report.push_str(&format!("--- expected\n{}\n--- came\n{came}\n", expected.text));
     }
     panic!("{report}");
 }

@@ -1,6 +1,5 @@
 //! Draws a case with several scans as a timing diagram: a line for the clock, each variable that is set, and each that is expected.
 
-use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use stickler_types::{ElementaryType, Value};
@@ -44,14 +43,13 @@ impl Case {
                 .map(|scan| format!("{scan:<cell$}"))
                 .collect();
             let gap = if start > 0 { "\n" } else { "" };
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "{gap}{:<name$}  {}", "scan", numbers.trim_end());
+            text.push_str(&format!("{gap}{:<name$}  {}\n", "scan", numbers.trim_end()));
             for line in &lines {
                 let drawn: String = line.values[block.clone()]
                     .iter()
                     .map(|value| drawn(value.as_ref(), cell))
                     .collect();
-                let _ = writeln!(text, "{:<name$}  {}", line.name, drawn.trim_end());
+                text.push_str(&format!("{:<name$}  {}\n", line.name, drawn.trim_end()));
             }
         }
         text
