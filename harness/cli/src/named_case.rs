@@ -7,7 +7,7 @@ use anyhow::bail;
 use std::path::Path;
 use stickler_run::{Filter, Plan};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, sorted};
 
 /// The maximum number of ids that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
@@ -98,9 +98,7 @@ fn in_other_dialects(suite: &Suite, name: &str) -> Vec<String> {
 /// Returns the ids that contain the name, or else the ids with the most similar spelling.
 fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
     let name = name.split('@').next().unwrap_or(name);
-    let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();
-    ids.sort_unstable();
-    ids.dedup();
+    let ids: Vec<&str> = sorted(suite.cases.iter().map(|case| &*case.id));
     let mut close: Vec<&str> = ids
         .iter()
         .copied()

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use stickler_types::dialect_file::read_documented;
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, sorted};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake, in_file};
@@ -155,9 +155,7 @@ impl Dialects {
         let mut found = self.of_names(named)?;
         let others = self.of_names(but)?;
         found.retain(|dialect| !others.contains(dialect));
-        found.sort_unstable();
-        found.dedup();
-        Ok(found)
+        Ok(sorted(found))
     }
 
     /// Returns whether names begin with the word for every documented system.

@@ -12,7 +12,7 @@ use crate::adapters::builder::C;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use std::collections::BTreeMap;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, sorted};
 
 /// The headers that the driver includes.
 pub(super) const HEADER: &str =
@@ -120,10 +120,7 @@ impl Names {
                 values::statement(asked, kind, &expression(kind))
             ));
         }
-        let mut after: Vec<Option<u32>> = request.observe.iter().map(|asked| asked.after).collect();
-        after.push(None);
-        after.sort_unstable();
-        after.dedup();
+        let after = sorted(request.observe.iter().map(|asked| asked.after).chain([None]));
         let scan = self.scan();
         declarations.push_str(&format!("\nint32_t {scan}(void);\n"));
         for after in &after {
