@@ -156,7 +156,7 @@ impl StatementsBuilder {
 
     /// Returns what documents state of pairs of types and parts of types: the question, the dialect, the word and its basis.
     pub fn accepted(&self) -> impl Iterator<Item = (Question, DialectName, MatrixWord, &str)> {
-        let word = |number: u32| self.words.all().get(number as usize).map_or("", |word| &**word);
+        let word = |number: u32| self.words.word(number);
         let ty = move |number| ElementaryType::from_name(word(number));
         let pairs = self.pairs.all.iter();
         let pairs = pairs.filter_map(move |of| Some((Question::Implicit((ty(of.from)?, ty(of.to)?)), of)));
@@ -194,8 +194,8 @@ impl StatementsBuilder {
         let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
         let first_part = all.pairs.len();
         let first_call = first_part + all.parts.len();
-        let word = |word: u32| self.words.all().get(word as usize);
-        let ty = |number: u32| ElementaryType::from_name(word(number)?);
+        let word = |number: u32| self.words.word(number);
+        let ty = |number: u32| ElementaryType::from_name(word(number));
         for (question, asked) in all.pairs.iter().chain(&all.parts).enumerate() {
             for column in &mut recorded {
                 let stated = asked.stated[column.dialect()].map(|(word, _)| word);
@@ -203,7 +203,7 @@ impl StatementsBuilder {
                     let from = ty(asked.from)?;
                     match question < first_part {
                         true => recording.implicit(dialect, (from, ty(asked.to)?)),
-                        false => recording.part(dialect, from, word(asked.to)?),
+                        false => recording.part(dialect, from, word(asked.to)),
                     }
                 });
             }
@@ -276,7 +276,7 @@ impl StatementsBuilder {
         all.questions = questions
             .map(|(case, question)| (case, number(question)))
             .collect();
-        all.words = self.words.all().to_vec();
+        all.words = self.words.all().cloned().collect();
         all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
         all
     }
