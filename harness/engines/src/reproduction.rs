@@ -90,7 +90,6 @@ impl Reproduction {
 
     /// Returns the reproduction by a command that a person states, in which `{file}` stands for the program, `{dialect}` for the name of
     /// its dialect and `{here}` for the folder of `stickler.toml`.
-    #[must_use]
     pub fn by_command(command: &str, request: &RunRequest<'_>) -> Reproduction {
         let file = ReproductionFile {
             name: "program.st".to_owned(),
@@ -110,7 +109,6 @@ impl Reproduction {
     }
 
     /// Returns the name and text of a shell script that runs the commands in its own folder.
-    #[must_use]
     pub fn script(&self) -> ReproductionFile {
         let mut text = "#!/bin/sh\n".to_owned();
         if !self.tools.is_empty() {
@@ -143,7 +141,6 @@ impl Reproduction {
     }
 
     /// Returns the text of a shell that sets the variables and runs the commands in the folder of the files.
-    #[must_use]
     pub fn commands_with_tools(&self) -> String {
         self.assignments() + &self.commands.join(" &&\n")
     }

@@ -74,7 +74,6 @@ impl Dialects {
     }
 
     /// Reads the text of the `dialects.toml` that reports show as `shown`; returns its usable part and its mistakes.
-    #[must_use]
     pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
         let (dialects, mistakes) = Dialects::default().with_groups(text);
         (dialects, in_file(mistakes, shown))
@@ -159,7 +158,6 @@ impl Dialects {
     }
 
     /// Returns whether names begin with the word for every documented system.
-    #[must_use]
     pub fn is_all(names: &str) -> bool {
         names.split_whitespace().next() == Some(EVERY)
     }

@@ -17,14 +17,12 @@ struct Line {
 
 impl Case {
     /// Returns whether the case sets or expects something in certain scans, so that there is something to draw.
-    #[must_use]
     pub fn has_timing(&self) -> bool {
         let expects = self.expectation.values.iter().any(|value| value.after.is_some());
         expects || !self.set.is_empty() || !self.clock.is_empty()
     }
 
     /// Draws these scans, counted from 1: BOOL as a level that is low or high, other values as texts, in blocks as wide as a terminal.
-    #[must_use]
     pub fn timing_diagram(&self, scans: RangeInclusive<u32>) -> String {
         let lines = self.lines(&scans);
         let scans: Vec<String> = scans.map(|scan| scan.to_string()).collect();

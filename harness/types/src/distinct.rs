@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 /// Returns the items in their order without those that came before. For lists that are short, or whose items have neither order
 /// nor hash.
-#[must_use]
 pub fn distinct<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut found = Vec::new();
     for item in items {
