@@ -55,16 +55,11 @@ impl<'n> NamedCase<'n> {
 
     /// Returns the case in each of its dialects, or in the one that was named.
     pub fn cases(&self) -> Vec<&Case> {
+        let name = Filter::new(self.name);
         let cases = self.suite.cases.iter();
-        cases.filter(|case| is_named(case, self.name)).collect()
-    }
-}
-
-fn is_named(case: &Case, name: &str) -> bool {
-    match name.strip_prefix(&*case.id) {
-        Some("") => true,
-        Some(rest) => rest.strip_prefix('@') == Some(case.dialect.as_str()),
-        None => false,
+        cases
+            .filter(|case| name.names(&case.id, case.dialect.as_str()))
+            .collect()
     }
 }
 
