@@ -179,7 +179,7 @@ impl Survey {
                 blamed.insert(word.clone());
                 self.failing.push(FailingPart {
                     engine: engine.identity().name.clone(),
-                    dialect: source.dialect().as_str().to_owned(),
+                    dialect: source.dialect.as_str().to_owned(),
                     word,
                     symptom,
                     program: program.text,

@@ -198,7 +198,7 @@ impl StatementsBuilder {
         let ty = |number: u32| ElementaryType::from_name(word(number));
         for (question, asked) in all.pairs.iter().chain(&all.parts).enumerate() {
             for column in &mut recorded {
-                let stated = asked.stated[column.dialect()].map(|(word, _)| word);
+                let stated = asked.stated[column.dialect].map(|(word, _)| word);
                 column.add(number(question), stated, |recording, dialect| {
                     let from = ty(asked.from)?;
                     match question < first_part {
@@ -221,7 +221,7 @@ impl StatementsBuilder {
                 .collect();
             for column in &mut recorded {
                 let mut of_dialects = function.dialects.iter().zip(&expected);
-                if let Some((_, expected)) = of_dialects.find(|(index, _)| **index == column.dialect()) {
+                if let Some((_, expected)) = of_dialects.find(|(index, _)| **index == column.dialect) {
                     let first = number(first_call + first);
                     column.add_calls(first, &function.signature, &function.calls, expected);
                 }
@@ -277,7 +277,7 @@ impl StatementsBuilder {
             .map(|(case, question)| (case, number(question)))
             .collect();
         all.words = self.words.all().cloned().collect();
-        all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
+        all.recorded = recorded.into_iter().map(|column| column.answers).collect();
         all
     }
 }
