@@ -295,8 +295,7 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
     /// Takes a finding, and tells it where it is new, or better than the earlier one of its name.
     fn found(&mut self, finding: Finding) {
         *self.summary.times.entry(finding.id.clone()).or_default() += 1;
-        let known = self.summary.findings.get(&finding.id);
-        if known.is_none_or(|known| finding.improves_on(known)) {
+        if finding.is_best_of(&self.summary.findings) {
             (self.tell)(CampaignEvent::Found(&finding));
             self.summary.findings.insert(finding.id.clone(), finding);
         }

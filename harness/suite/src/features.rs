@@ -160,12 +160,9 @@ impl Features {
                     say(message, word);
                 }
             }
-            let lacked = self
-                .list
-                .iter()
-                .filter(|feature| dialect.rules().lacks(&feature.key));
-            for key in lacked.map(|feature| feature.key.clone()).collect::<Vec<_>>() {
-                self.lacked.entry(key).or_default().insert(dialect);
+            for feature in self.list.iter().filter(|feature| rules.lacks(&feature.key)) {
+                let lacking = self.lacked.entry(feature.key.clone());
+                lacking.or_default().insert(dialect);
             }
         }
         mistakes
