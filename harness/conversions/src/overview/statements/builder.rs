@@ -6,6 +6,7 @@ use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
 use crate::overview::results::ExpectedResult;
 use crate::recording::Recording;
+use indexmap::IndexSet;
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, signature_of};
@@ -209,7 +210,7 @@ impl StatementsBuilder {
             }
         }
         let mut first_calls = Vec::with_capacity(self.functions.len());
-        let mut known_bases = HashMap::new();
+        let mut known_bases = IndexSet::new();
         for function in &self.functions {
             let first = all.calls.operands.len();
             first_calls.push(first);
@@ -255,12 +256,7 @@ impl StatementsBuilder {
                         all.disputed.push((first + number, *dialect, value, basis));
                     }
                 }
-                let next = all.bases.len();
-                let number = *known_bases.entry(bases.clone()).or_insert(next);
-                if number == next {
-                    all.bases.push(bases);
-                }
-                all.calls.bases.push(number);
+                all.calls.bases.push(known_bases.insert_full(bases).0);
                 all.calls.values.push(values);
             }
         }
@@ -276,6 +272,7 @@ impl StatementsBuilder {
         all.questions = questions
             .map(|(case, question)| (case, number(question)))
             .collect();
+        all.bases = known_bases.into_iter().collect();
         all.words = self.words.all().cloned().collect();
         all.recorded = recorded.into_iter().map(|column| column.answers).collect();
         all
