@@ -37,7 +37,6 @@ impl Cache {
     /// 64 MiB the newer half.
     ///
     /// Nothing goes wrong here but what [`Cache::notes`] tells: then the cache is empty, or keeps nothing.
-    #[must_use]
     pub fn open(folder: &Path, engine: &str, fingerprint: &str) -> Cache {
         let path = folder.join(file::name(engine, fingerprint));
         let mut notes = Vec::new();

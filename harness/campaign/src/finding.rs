@@ -2,7 +2,7 @@
 
 use crate::oracle::Mismatch;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use stickler_causes::CauseKey;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
@@ -259,15 +259,15 @@ impl Finding {
         self.fingerprint == fingerprint(self.program.as_deref(), &self.input)
     }
 
-    /// Returns the one of two findings of one name that is worth keeping: seen again before flaky, small before large; the earlier
-    /// place where they are alike, so that the choice does not depend on who came first.
-    pub fn better(self, other: Finding) -> Finding {
-        if self.rank() <= other.rank() { self } else { other }
-    }
-
-    /// Returns whether this finding would be kept where the other has been.
+    /// Returns whether this finding is worth keeping in place of another of its name: seen again before flaky, small before large; the
+    /// earlier place where they are alike, so that the choice does not depend on who came first.
     pub fn improves_on(&self, other: &Finding) -> bool {
         self.rank() < other.rank()
+    }
+
+    /// Returns whether this finding is worth keeping among others, which are known by their names.
+    pub(crate) fn is_best_of(&self, known: &BTreeMap<String, Finding>) -> bool {
+        known.get(&self.id).is_none_or(|known| self.improves_on(known))
     }
 
     fn rank(&self) -> (Confirmation, bool, u64, usize, u64, u64) {
@@ -370,13 +370,12 @@ mod tests {
     fn the_better_of_two_does_not_depend_on_their_order() {
         let small = sample::finding("a", "crash", &[], 3);
         let large = sample::finding("a", "crash", &[], 30);
-        assert_eq!(small.clone().better(large.clone()), small);
-        assert_eq!(large.clone().better(small.clone()), small);
+        assert!(small.improves_on(&large) && !large.improves_on(&small));
         let flaky = Finding {
             standing: Confirmation::Flaky,
             ..small
         };
-        assert_eq!(flaky.better(large.clone()), large);
+        assert!(large.improves_on(&flaky) && !flaky.improves_on(&large));
     }
 
     #[test]

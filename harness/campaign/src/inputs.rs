@@ -125,6 +125,7 @@ fn untimed() -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::sorted;
 
     #[test]
     fn an_input_depends_on_seed_and_place_alone() {
@@ -142,20 +143,14 @@ mod tests {
     #[test]
     fn all_lengths_and_all_dialects_that_are_named_come() {
         let inputs = Inputs::new(1);
-        let mut lengths: Vec<usize> = (0..200).map(|place| inputs.bytes(place).len()).collect();
-        lengths.sort_unstable();
-        lengths.dedup();
+        let lengths = sorted((0..200).map(|place| inputs.bytes(place).len()));
         assert_eq!(lengths, [32, 64, 128, 256, 512, 1024, 2048]);
         let shorter = inputs.up_to(300);
         assert_eq!((0..200).map(|place| shorter.bytes(place).len()).max(), Some(256));
         assert_eq!(inputs.up_to(1).bytes(9).len(), 32);
         assert_eq!(inputs.up_to(9999), inputs);
         let named = [DialectName::MATIEC, DialectName::PLCNEXT];
-        let mut dialects: Vec<DialectName> = (0..50)
-            .map(|place| inputs.program(place, &named, false).dialect)
-            .collect();
-        dialects.sort_unstable();
-        dialects.dedup();
+        let dialects = sorted((0..50).map(|place| inputs.program(place, &named, false).dialect));
         assert_eq!(dialects, named);
     }
 }

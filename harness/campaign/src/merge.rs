@@ -55,11 +55,9 @@ impl Merged {
         };
         self.missing.extend(errors.iter().map(ToString::to_string));
         for finding in findings {
-            let best = match self.findings.remove(&finding.id) {
-                Some(known) => known.better(finding),
-                None => finding,
-            };
-            self.findings.insert(best.id.clone(), best);
+            if finding.is_best_of(&self.findings) {
+                self.findings.insert(finding.id.clone(), finding);
+            }
         }
     }
 

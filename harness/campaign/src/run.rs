@@ -161,11 +161,6 @@ impl<'c> Clock<'c> {
         !self.before(self.reserve)
     }
 
-    /// Returns whether the time of the campaign is not up.
-    fn has_time(&self) -> bool {
-        self.before(self.end)
-    }
-
     /// Returns whether a reduction is to go on.
     pub(crate) fn reduces(&self) -> bool {
         self.before(self.late)
@@ -269,7 +264,7 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
             )
         };
         let (is_explained, reduced, .., place) = self.reductions.iter().enumerate().map(rank).min()?;
-        if (is_explained || reduced > 0) && !self.clock.has_time() {
+        if (is_explained || reduced > 0) && !self.clock.before(self.clock.end) {
             // So are all others.
             self.summary.left += self.reductions.drain(..).count() as u64;
             return None;
@@ -300,8 +295,7 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
     /// Takes a finding, and tells it where it is new, or better than the earlier one of its name.
     fn found(&mut self, finding: Finding) {
         *self.summary.times.entry(finding.id.clone()).or_default() += 1;
-        let known = self.summary.findings.get(&finding.id);
-        if known.is_none_or(|known| finding.improves_on(known)) {
+        if finding.is_best_of(&self.summary.findings) {
             (self.tell)(CampaignEvent::Found(&finding));
             self.summary.findings.insert(finding.id.clone(), finding);
         }

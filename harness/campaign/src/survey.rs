@@ -7,7 +7,7 @@
 
 mod probes;
 
-use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all, compare};
+use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all};
 use crate::exclusions::{Exclusions, UnknownWord};
 use crate::inputs::Inputs;
 use crate::run::CampaignError;
@@ -15,7 +15,7 @@ use probes::{ProbeProgram, ProbeSource, SurveyProbe};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
-use stickler_engines::EngineSession;
+use stickler_engines::{EngineSession, Outcome};
 use stickler_types::{DialectName, distinct};
 use stickler_workers::WorkerPool;
 
@@ -179,7 +179,7 @@ impl Survey {
                 blamed.insert(word.clone());
                 self.failing.push(FailingPart {
                     engine: engine.identity().name.clone(),
-                    dialect: source.dialect().as_str().to_owned(),
+                    dialect: source.dialect.as_str().to_owned(),
                     word,
                     symptom,
                     program: program.text,
@@ -221,13 +221,11 @@ fn symptoms_of(
     going: &dyn Fn() -> bool,
 ) -> Vec<Option<Option<String>>> {
     let questions: Vec<JudgedProgram<'_>> = programs.iter().map(|program| program.question()).collect();
-    let outcomes = ask_all(session, &questions, going);
-    let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
-        Some(match compare(*question, &outcome?) {
-            Agreement::Agrees => None,
-            Agreement::Unsupported => Some("unsupported".to_owned()),
-            Agreement::Disagrees { symptom, .. } => Some(symptom),
-        })
-    });
-    compared.collect()
+    let symptom = |(_, agreement): (Outcome, Agreement)| match agreement {
+        Agreement::Agrees => None,
+        Agreement::Unsupported => Some("unsupported".to_owned()),
+        Agreement::Disagrees { symptom, .. } => Some(symptom),
+    };
+    let outcomes = ask_all(session, &questions, going).into_iter();
+    outcomes.map(|outcome| outcome.map(symptom)).collect()
 }

@@ -7,7 +7,7 @@ use anyhow::bail;
 use std::path::Path;
 use stickler_run::{Filter, Plan};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, sorted};
 
 /// The maximum number of ids that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
@@ -55,16 +55,11 @@ impl<'n> NamedCase<'n> {
 
     /// Returns the case in each of its dialects, or in the one that was named.
     pub fn cases(&self) -> Vec<&Case> {
+        let name = Filter::new(self.name);
         let cases = self.suite.cases.iter();
-        cases.filter(|case| is_named(case, self.name)).collect()
-    }
-}
-
-fn is_named(case: &Case, name: &str) -> bool {
-    match name.strip_prefix(&*case.id) {
-        Some("") => true,
-        Some(rest) => rest.strip_prefix('@') == Some(case.dialect.as_str()),
-        None => false,
+        cases
+            .filter(|case| name.names(&case.id, case.dialect.as_str()))
+            .collect()
     }
 }
 
@@ -98,9 +93,7 @@ fn in_other_dialects(suite: &Suite, name: &str) -> Vec<String> {
 /// Returns the ids that contain the name, or else the ids with the most similar spelling.
 fn suggestions<'a>(suite: &'a Suite, name: &str) -> Vec<&'a str> {
     let name = name.split('@').next().unwrap_or(name);
-    let mut ids: Vec<&str> = suite.cases.iter().map(|case| &*case.id).collect();
-    ids.sort_unstable();
-    ids.dedup();
+    let ids: Vec<&str> = sorted(suite.cases.iter().map(|case| &*case.id));
     let mut close: Vec<&str> = ids
         .iter()
         .copied()

@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
-use stickler_types::{Diagnostic, Severity, counted, joined};
+use stickler_types::{Diagnostic, Severity, counted, joined, sorted};
 
 /// The maximum number of diagnostics that are shown; a broken file has more than anyone reads.
 const MAX_DIAGNOSTICS: usize = 200;
@@ -39,10 +39,7 @@ pub fn write<'f>(
         writeln!(out, "... and {} more diagnostics\n", number - MAX_DIAGNOSTICS)?;
     }
     let found = counted(number as u64, "diagnostic", "diagnostics");
-    let codes = diagnostics.iter().filter_map(|one| one.code.as_deref());
-    let mut codes: Vec<&str> = codes.collect();
-    codes.sort_unstable();
-    codes.dedup();
+    let codes = sorted(diagnostics.iter().filter_map(|one| one.code.as_deref()));
     match codes[..] {
         [] => writeln!(out, "{found}"),
         [code] => writeln!(out, "{found}; `stickler explain {code}` says more about a code."),

@@ -1,7 +1,8 @@
 //! The catalogue of conversion functions: the names that exist, the dialects that have them, and suggestions for misspelt ones.
 
+use std::collections::HashSet;
 use stickler_exact::{Signature, elementary_signatures, signatures};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, distinct};
 
 /// The maximum number of names that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
@@ -84,8 +85,7 @@ pub fn find_function(
         asked
     };
     let has = |dialect: &DialectName| !signatures(function, *dialect).is_empty();
-    let once = (0..asked.len()).filter(|&index| !asked[..index].contains(&asked[index]));
-    let (having, lacking): (Vec<_>, Vec<_>) = once.map(|index| asked[index]).partition(has);
+    let (having, lacking): (Vec<_>, Vec<_>) = distinct(asked.iter().copied()).into_iter().partition(has);
     if !having.is_empty() {
         return Ok(FunctionDialects { having, lacking });
     }
@@ -105,13 +105,9 @@ pub fn find_function(
 
 /// Returns the names of the conversion functions of all dialects, each once.
 pub fn all_functions() -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for dialect in DialectName::ALL {
-        let known: std::collections::HashSet<String> = names.iter().cloned().collect();
-        let functions = stickler_exact::functions(dialect);
-        names.extend(functions.into_iter().filter(|name| !known.contains(name)));
-    }
-    names
+    let mut known = HashSet::new();
+    let all = DialectName::ALL.into_iter().flat_map(stickler_exact::functions);
+    all.filter(|name| known.insert(name.clone())).collect()
 }
 
 /// Returns the names of dialects in one line.

@@ -1,6 +1,5 @@
 //! Writes programs that call a conversion function with a list of operands.
 
-use std::fmt::Write;
 use stickler_engines::Observation;
 use stickler_types::{ElementaryType, Value};
 
@@ -53,14 +52,13 @@ pub fn listed(
         for (value, letter) in call.iter().zip(["a", "b"]) {
             let name = format!("operand{number}{letter}");
             let ty = declared(value.type_name(), longest(call));
-            // Writing to a String cannot fail, here and below.
-            let _ = match not_finite(value) {
+            declarations.push_str(&match not_finite(value) {
                 Some(term) => {
-                    let _ = writeln!(statements, "    {name} := {term};");
-                    writeln!(declarations, "    {name} : {ty};")
+                    statements.push_str(&format!("    {name} := {term};\n"));
+                    format!("    {name} : {ty};\n")
                 }
-                None => writeln!(declarations, "    {name} : {ty} := {};", literal(value)),
-            };
+                None => format!("    {name} : {ty} := {};\n", literal(value)),
+            });
             arguments.push(name);
         }
         let name = format!("given{number}");
@@ -68,8 +66,8 @@ pub fn listed(
             true => declared(result.name(), longest(call)),
             false => result.name().to_owned(),
         };
-        let _ = writeln!(declarations, "    {name} : {ty};");
-        let _ = writeln!(statements, "    {name} := {function}({});", arguments.join(", "));
+        declarations.push_str(&format!("    {name} : {ty};\n"));
+        statements.push_str(&format!("    {name} := {function}({});\n", arguments.join(", ")));
         observed.push(name);
     }
     ConversionProgram {

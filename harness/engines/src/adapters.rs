@@ -55,7 +55,6 @@ words! {
 
 impl Compiler {
     /// Returns the address of the compiler's project, which says how it is installed.
-    #[must_use]
     pub fn project(self) -> &'static str {
         &self.data().project
     }
@@ -94,7 +93,6 @@ impl Compiler {
 
     /// Finds the compiler on this machine, also by the paths that a person named. The engine is called `called` in reports;
     /// `table` is its name in `stickler.toml`, for messages.
-    #[must_use]
     pub fn seek(self, called: &str, table: &str, paths: &DependencyPaths) -> CompilerSearch {
         let mut search = DependencySearch::new(table, paths);
         let engine = match self {

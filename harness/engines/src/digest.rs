@@ -18,7 +18,6 @@ pub struct Digest {
 
 impl Digest {
     /// Returns a digest of nothing so far; `of` names the kind of thing, so that digests of different kinds differ.
-    #[must_use]
     pub fn new(of: &str) -> Digest {
         let mut digest = Digest {
             hasher: SipHasher13::new(),
@@ -80,7 +79,6 @@ impl Digest {
     }
 
     /// Returns the digest of all that was added: 32 hexadecimal digits.
-    #[must_use]
     pub fn finish(&self) -> String {
         format!("{:032x}", self.hasher.finish128().as_u128())
     }

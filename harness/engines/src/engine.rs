@@ -109,13 +109,11 @@ pub struct Identity {
 
 impl Identity {
     /// Tells whether the engine has this ability.
-    #[must_use]
     pub fn can(&self, ability: Ability) -> bool {
         self.abilities.contains(&ability)
     }
 
     /// Tells whether the engine speaks this dialect, or the one that it extends.
-    #[must_use]
     pub fn speaks(&self, dialect: DialectName) -> bool {
         self.asked_in(dialect).is_some()
     }
@@ -123,7 +121,6 @@ impl Identity {
     /// Returns the dialect by whose name the engine is asked for programs of `dialect`: `dialect` itself where the engine
     /// documents itself to speak it, otherwise its base. A custom dialect is another name for what its base says the engine
     /// does, so an engine that has never heard of it is asked by the base. `None` where the engine speaks neither.
-    #[must_use]
     pub fn asked_in(&self, dialect: DialectName) -> Option<DialectName> {
         let base = dialect.base();
         // Of a variant, an engine that does not know its options would do something else.

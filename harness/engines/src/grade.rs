@@ -25,7 +25,6 @@ words! {
 
 impl Grade {
     /// Tells whether this grade is as good as `needed`, or better.
-    #[must_use]
     pub fn suffices(self, needed: Grade) -> bool {
         self <= needed
     }

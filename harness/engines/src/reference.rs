@@ -17,7 +17,6 @@ impl Reference {
 
     /// Returns the reference under the name `reference`, with the version of this workspace. It speaks every dialect that
     /// exists at the time of the call, custom dialects included.
-    #[must_use]
     pub fn new() -> Reference {
         let identity = Identity {
             name: Reference::NAME.to_owned(),
@@ -41,7 +40,6 @@ impl Reference {
     }
 
     /// Returns the reference with a step limit of the caller's own; a run that needs more steps faults with `step-limit`.
-    #[must_use]
     pub fn with_step_limit(steps: u64) -> Reference {
         Reference {
             limits: reference::Limits { steps },

@@ -4,7 +4,6 @@ use crate::adapters::locate::without_colours;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, Outcome, RunRequest};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -91,7 +90,6 @@ impl Reproduction {
 
     /// Returns the reproduction by a command that a person states, in which `{file}` stands for the program, `{dialect}` for the name of
     /// its dialect and `{here}` for the folder of `stickler.toml`.
-    #[must_use]
     pub fn by_command(command: &str, request: &RunRequest<'_>) -> Reproduction {
         let file = ReproductionFile {
             name: "program.st".to_owned(),
@@ -111,7 +109,6 @@ impl Reproduction {
     }
 
     /// Returns the name and text of a shell script that runs the commands in its own folder.
-    #[must_use]
     pub fn script(&self) -> ReproductionFile {
         let mut text = "#!/bin/sh\n".to_owned();
         if !self.tools.is_empty() {
@@ -120,8 +117,7 @@ impl Reproduction {
         text.push_str(&self.assignments());
         text.push_str("set -e\ncd \"$(dirname \"$0\")\"\n");
         for command in &self.commands {
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "{command}");
+            text.push_str(&format!("{command}\n"));
         }
         ReproductionFile {
             name: SCRIPT.to_owned(),
@@ -145,7 +141,6 @@ impl Reproduction {
     }
 
     /// Returns the text of a shell that sets the variables and runs the commands in the folder of the files.
-    #[must_use]
     pub fn commands_with_tools(&self) -> String {
         self.assignments() + &self.commands.join(" &&\n")
     }

@@ -16,7 +16,6 @@ pub struct EngineSession<'e> {
 
 impl<'e> EngineSession<'e> {
     /// Returns an engine session that is opened at the first request.
-    #[must_use]
     pub fn new(engine: &'e dyn Engine) -> EngineSession<'e> {
         EngineSession {
             engine,
@@ -34,7 +33,6 @@ impl<'e> EngineSession<'e> {
     }
 
     /// Returns the engine that is asked.
-    #[must_use]
     pub const fn engine(&self) -> &'e dyn Engine {
         self.engine
     }

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 /// Quotes a word so that a POSIX shell takes it for one argument. Words of letters, digits and `-_./:@=,+%` stay as they are.
-#[must_use]
 pub fn shell_quote(word: &str) -> Cow<'_, str> {
     let safe = |byte: u8| byte.is_ascii_alphanumeric() || b"-_./:@=,+%".contains(&byte);
     if !word.is_empty() && word.bytes().all(safe) {

@@ -56,7 +56,6 @@ pub struct Validation {
 
 impl Validation {
     /// Returns the number of checks with this verdict.
-    #[must_use]
     pub fn count(&self, judgement: CheckVerdict) -> usize {
         let of = |check: &&Check| check.judgement == judgement;
         self.checks.iter().filter(of).count()

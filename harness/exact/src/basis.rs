@@ -33,7 +33,6 @@ pub struct Expected {
 /// the basis is `None` and the value is that of IEC 60559 and of two's complement. In a user-defined dialect, a statement of
 /// its definition takes precedence over the documents of its base, and the basis is that of the definition. See [`value`]
 /// for operands that do not fit.
-#[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
     let choices = dialect.rules().conversions;
     if signature.operation == Operation::Elementary {
@@ -56,7 +55,6 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
 /// Returns whether the ForgeIEC page has a truncation whose name tells its result, of an operand of this type.
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern (TRUNC_INT of REAL, TRUNC_LINT of LREAL), TRUNC vs. ROUND (TRUNC_DINT of a REAL).
-#[must_use]
 pub fn page_has_truncation(signature: &Signature) -> bool {
     matches!(
         (&signature.function[..], &signature.operands[..]),
@@ -66,7 +64,6 @@ pub fn page_has_truncation(signature: &Signature) -> bool {
 
 /// Returns whether an override in the definition of a dialect decides the result of a call: with another choice in its
 /// place, the result would differ. Always `false` in a dialect of a documented system, and for operands that do not fit.
-#[must_use]
 pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: DialectName) -> bool {
     let call = UnaryCall::of(signature, operands, dialect);
     call.zip(dialect.definition())

@@ -63,7 +63,6 @@ impl Bulk {
     /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
     /// the operand nor the result is a text. A REAL number of days or counts has none, nor have days since 1990, a rounding to a real, a TIME of 32
     /// bits and copied bits of an integer.
-    #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
             return None;

@@ -31,7 +31,6 @@ use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern, BCD encoding, TRUNC vs. ROUND; ironplc-type-conversions: Explicit
 /// Conversion Functions; iec-61131-3: Table 22 (the overloaded and BCD names of the third edition).
-#[must_use]
 pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     // No name is longer, and a hostile one is not worth copying.
     const MAX_NAME_LEN: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
@@ -57,7 +56,6 @@ pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
 }
 
 /// Returns the signature of a call in a dialect: of the types of its operands and of the variable that takes its result.
-#[must_use]
 pub fn signature_of(call: &ConversionCall, dialect: DialectName) -> Option<Signature> {
     let mut all = signatures(&call.function, dialect).into_iter();
     all.find(|signature| signature.result == call.result && signature.takes(&call.operands))
@@ -67,7 +65,6 @@ pub fn signature_of(call: &ConversionCall, dialect: DialectName) -> Option<Signa
 /// types.
 ///
 /// The order is always the same: the pairs of types, the overloaded names, truncation, BCD, `CONCAT_…`, rounding.
-#[must_use]
 pub fn functions(dialect: DialectName) -> Vec<String> {
     Catalogue::of(dialect).names.clone()
 }

@@ -27,7 +27,6 @@ type Scaled = (BigInt, i32);
 /// `None` for another function, for an operand that is no finite number, for a result that is no real number, where the function is not defined or
 /// has no number (LN of 0), where the sign of a zero among two operands decides, and where the interval decides nothing: the operands are too far
 /// apart, or the result lies in the middle between two numbers.
-#[must_use]
 pub fn nearest_result(function: &str, operands: &[Value], result: ElementaryType) -> Option<Value> {
     let numbers: Vec<BigInt> = operands.iter().map(fixed).collect::<Option<_>>()?;
     let is_negative_zero = |value: &Value| value.real().map(f64::to_bits) == Some(1 << 63);
@@ -59,7 +58,6 @@ const OF_REALS: [&str; 10] = [
 
 /// Returns the signatures of a standard function of one operand in a dialect, by its name in upper case: of ABS, NOT and the functions of one real
 /// number. Each gives the type of its operand. They are no conversions, so that [`crate::signatures`] does not have them.
-#[must_use]
 pub fn elementary_signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     let takes = |ty: &ElementaryType| match function {
         "ABS" => ty.is_number(),
@@ -80,7 +78,6 @@ pub fn elementary_signatures(function: &str, dialect: DialectName) -> Vec<Signat
 
 /// Returns the result of a function of [`elementary_signatures`], of a function of real numbers the nearest one; `None` where
 /// [`nearest_result`] has none, and for the ABS of what is no number.
-#[must_use]
 pub fn elementary_result(signature: &Signature, operand: &Value) -> Option<Value> {
     let &Value::Plain { ty, raw } = operand else {
         return None;

@@ -16,7 +16,6 @@ use stickler_types::{Dialect, DialectName, ElementaryType, MatrixWord, MomentUni
 /// about a pair takes precedence over the documents, whose tables are in `implicit.toml`.
 ///
 /// Basis: ironplc-type-conversions: Cross-family widening; for the rest see the tables.
-#[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
         return MatrixWord::Same;
@@ -111,7 +110,6 @@ pub enum ImplicitResult {
 /// duration, date or time of day in its long or short form, or for UDINT and TIME the same count of milliseconds.
 ///
 /// Basis: conformance-cases/README.md (a matrix of types).
-#[must_use]
 pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResult> {
     use ElementaryType::{Lreal, Real, Time, Udint};
     let (from, raw) = match *value {

@@ -19,7 +19,6 @@ pub struct Signature {
 
 impl Signature {
     /// Returns whether the operands are of the types of the signature, in their order.
-    #[must_use]
     pub fn takes(&self, operands: &[Value]) -> bool {
         let types = operands.iter().map(Value::elementary);
         types.eq(self.operands.iter().map(|&ty| Some(ty)))
@@ -52,7 +51,6 @@ pub enum Operation {
 impl Operation {
     /// Returns the choices by which the operation converts: those of the dialect, but for the rounding and the range of a
     /// function that has its own.
-    #[must_use]
     pub(crate) const fn choices(self, choices: &ConversionChoices) -> ConversionChoices {
         match self {
             Operation::Convert

@@ -16,7 +16,6 @@ use stickler_types::{
 /// default of the result type, 0 or the empty text.
 ///
 /// Basis: rule: integer-overflow-wraps; forgeiec-conversion-functions: The naming pattern, Range and precision.
-#[must_use]
 pub fn value(signature: &Signature, operands: &[Value], choices: &ConversionChoices) -> Value {
     let result = match operands {
         _ if !signature.takes(operands) => None,

@@ -6,7 +6,6 @@
 
 use crate::page::{PageText, shown};
 use crate::page_case::PageKind;
-use std::fmt::Write;
 use stickler_types::counted;
 
 /// The statement at the beginning and the end of a page. Its types are wrong, as in most cases: compilers check types last, and
@@ -36,10 +35,10 @@ impl PageText<'_, '_> {
         let mut text = WRONG.to_owned();
         for (case, ready) in self.cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
             let first = before + text.matches('\n').count() + 1;
-            let _ = writeln!(text, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
+            text.push_str(&format!("    (* {}: {} *)\n", case + 1, shown(&ready.case.id)));
             let statements = self.renaming(case, &suffixes).of(&ready.parts.statements);
             if !statements.is_empty() {
-                let _ = writeln!(text, "    {statements}");
+                text.push_str(&format!("    {statements}\n"));
             }
             self.lines[case].push((first, before + text.matches('\n').count()));
         }

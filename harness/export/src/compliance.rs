@@ -11,7 +11,6 @@ use crate::data::declared_by;
 use measure::MeasuredFeatures;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use stickler_conversions::overview::{StatedFunction, StatementsBuilder, rules};
 use stickler_conversions::{FunctionSession, Refusal};
 use stickler_engines::{Engine, Identity};
@@ -377,25 +376,23 @@ fn with_code(text: &str, plain: impl Fn(&str) -> String, code: impl Fn(&str) -> 
 }
 
 impl Section {
-    // Writing into a String does not fail.
     fn markdown(&self) -> String {
         let mut text = format!("\n## {}\n\n", markdown_text(self.title.trim_end_matches(": ")));
         if !self.text.is_empty() {
-            let _ = write!(text, "{}\n\n", self.text);
+            text.push_str(&format!("{}\n\n", self.text));
         }
-        let _ = writeln!(
-            text,
-            "| {} |\n|{}",
+        text.push_str(&format!(
+            "| {} |\n|{}\n",
             self.head.join(" | "),
             "---|".repeat(self.head.len())
-        );
+        ));
         for row in &self.rows {
             let code = |piece: &str| format!("`{}`", piece.replace('|', "\\|"));
             let cells: Vec<String> = row
                 .iter()
                 .map(|cell| with_code(cell, markdown_text, code))
                 .collect();
-            let _ = writeln!(text, "| {} |", cells.join(" | "));
+            text.push_str(&format!("| {} |\n", cells.join(" | ")));
         }
         text
     }

@@ -23,7 +23,6 @@ use crate::encoding::pieces;
 use crate::manifest::StepRecord;
 use crate::page_case::{PageCase, PageKind, expected};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
 use stickler_syntax::{Renaming, words};
 use stickler_types::{Dialect, ElementaryType, Fnv1a, Value, counted};
 
@@ -166,7 +165,7 @@ impl<'c, 'r> PageText<'c, 'r> {
             let parts = &ready.parts;
             let mut key = parts.units.clone();
             if declares_in_place(ready) {
-                let _ = write!(key, "\n{number}");
+                key.push_str(&format!("\n{number}"));
             }
             let next = known.len() + 1;
             let unit = *known.entry(key).or_insert(next);
@@ -200,7 +199,7 @@ impl<'c, 'r> PageText<'c, 'r> {
     fn write_declarations(&mut self, suffixes: &[String]) {
         let mut text = std::mem::take(&mut self.declarations);
         for ty in self.types() {
-            let _ = writeln!(text, "    {}", encode::declarations(ty));
+            text.push_str(&format!("    {}\n", encode::declarations(ty)));
         }
         text.push_str("END_VAR\n");
         self.write_variables(&mut text, suffixes);
@@ -223,9 +222,9 @@ impl<'c, 'r> PageText<'c, 'r> {
                     continue;
                 }
                 let before = section.matches('\n').count();
-                let _ = writeln!(section, "    (* {}: {} *)", case + 1, shown(&ready.case.id));
+                section.push_str(&format!("    (* {}: {} *)\n", case + 1, shown(&ready.case.id)));
                 for part in parts {
-                    let _ = writeln!(section, "{}", renaming.of(&part.text));
+                    section.push_str(&format!("{}\n", renaming.of(&part.text)));
                 }
                 let after = section.matches('\n').count();
                 self.lines[case].push((line + before, line + after - 1));
@@ -261,11 +260,15 @@ impl<'c, 'r> PageText<'c, 'r> {
             let ready = &self.cases[step.case];
             let is_first = number == 0 || self.steps[number - 1].case != step.case;
             if is_first {
-                let _ = writeln!(text, "        (* {}: {} *)", step.case + 1, shown(&ready.case.id));
+                text.push_str(&format!(
+                    "        (* {}: {} *)\n",
+                    step.case + 1,
+                    shown(&ready.case.id)
+                ));
             }
-            let _ = writeln!(text, "        {}:", number + 1);
+            text.push_str(&format!("        {}:\n", number + 1));
             if is_first && !ready.parts.statements.is_empty() {
-                let _ = writeln!(text, "    {}", renaming.of(&ready.parts.statements));
+                text.push_str(&format!("    {}\n", renaming.of(&ready.parts.statements)));
             }
             write_readout(&mut text, ready, step, &renaming, &kinds);
             self.lines[step.case].push((first, declarations + text.matches('\n').count()));
@@ -326,21 +329,20 @@ fn write_readout(
         let name = renaming.of(&ready.case.observe[observe].name);
         if let Some(literal) = expected(ready.case, observe).and_then(|expected| literal(&expected.value)) {
             let literal = renaming.of(&literal);
-            let _ = writeln!(
-                text,
-                "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;"
-            );
+            text.push_str(&format!(
+                "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;\n"
+            ));
         }
         if let Some(ty) = step.encoded(ready) {
             let kind = kinds
                 .iter()
                 .position(|kind| *kind == ty)
                 .map_or(0, |kind| kind + 1);
-            let _ = writeln!(text, "{MARGIN}{} := {name};", encode::variable(ty));
-            let _ = writeln!(text, "{MARGIN}stickler_kind := {kind};");
+            text.push_str(&format!("{MARGIN}{} := {name};\n", encode::variable(ty)));
+            text.push_str(&format!("{MARGIN}stickler_kind := {kind};\n"));
         }
     }
-    let _ = writeln!(text, "{MARGIN}stickler_place := {};", step.place);
+    text.push_str(&format!("{MARGIN}stickler_place := {};\n", step.place));
 }
 
 /// Returns the literal of a value for a comparison; `None` where it has no literal.

@@ -9,7 +9,6 @@ mod project;
 use crate::manifest::Manifest;
 use crate::{CopiedText, Export, ExportPlan, ExtraCases, Imported, Reason, export};
 use std::collections::BTreeSet;
-use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
@@ -202,7 +201,7 @@ fn odd(events: &[CaseEvent]) -> Vec<&CaseEvent> {
 fn list(array: &[i32]) -> String {
     let mut text = String::new();
     for (index, value) in array.iter().enumerate() {
-        let _ = writeln!(text, "results[{index}] := {value};");
+        text.push_str(&format!("results[{index}] := {value};\n"));
     }
     text
 }
@@ -210,10 +209,9 @@ fn list(array: &[i32]) -> String {
 fn watch_list(array: &[i32]) -> String {
     let mut text = "Expression\tType\tValue\tPrepared value\tAddress\tComment\r\n".to_owned();
     for (index, value) in array.iter().enumerate() {
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "Device.Application.stickler_page.results[{index}]\tDINT\t{value}\t\t\t\r\n"
-        );
+        ));
     }
     text
 }

@@ -41,7 +41,6 @@ impl Program {
     }
 
     /// Returns a difference on a line of the program as one on a line of the block.
-    #[must_use]
     pub fn place(&self, difference: Difference) -> Difference {
         let line = self.row.unwrap_or(difference.line);
         Difference { line, ..difference }
@@ -70,7 +69,6 @@ const EACH_LINE: &str = " each line";
 
 impl Block {
     /// Returns the first word behind the fence: what the block is.
-    #[must_use]
     pub fn kind(&self) -> &str {
         self.words().next().unwrap_or_default()
     }
@@ -96,7 +94,6 @@ impl Block {
 
     /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name. A pilcrow begins a
     /// new line in both.
-    #[must_use]
     pub fn programs(&self) -> Vec<Program> {
         let Some((_, frame)) = self.info.split_once(EACH_LINE) else {
             let text = expanded(&self.text);
@@ -116,7 +113,6 @@ impl Block {
     }
 
     /// Puts the question of a row in the frame that the fence names: `features in PROGRAM p … END_PROGRAM`.
-    #[must_use]
     pub fn framed(&self, question: &str) -> String {
         let frame = self.info.split_once(" in ").map_or("…", |(_, frame)| frame);
         frame.replace('¶', "\n").replace('…', question)
@@ -166,7 +162,6 @@ pub fn same<T: PartialEq + Display>(got: T, expected: T) -> Result<(), String> {
 ///
 /// # Panics
 /// Where a repetition has no number, or does not end.
-#[must_use]
 pub fn expanded(text: &str) -> String {
     let mut parts = text.split('«');
     let mut out = parts.next().unwrap_or_default().to_owned();

@@ -76,7 +76,6 @@ fn is_message(wanted: &str, message: &str) -> bool {
 }
 
 /// Returns the marks that no diagnostic meets, and the diagnostics that no mark wants.
-#[must_use]
 pub fn differences(marks: &[DiagnosticMark], reported: &[Reported]) -> Vec<Difference> {
     let mut left: Vec<&Reported> = reported.iter().collect();
     let mut missing = Vec::new();

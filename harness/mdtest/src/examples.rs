@@ -18,7 +18,6 @@
 
 use crate::markdown::{Fence, Mistake, Row, Section, sections, with_last_cell};
 use std::env;
-use std::fmt::Write as _;
 use std::fs;
 use std::ops::Range;
 
@@ -47,26 +46,22 @@ struct Document {
 
 impl Example {
     /// Returns the heading of the section.
-    #[must_use]
     pub fn heading(&self) -> &str {
         &self.heading
     }
 
     /// Returns the name of what must come: that of the last block, or of the last column.
-    #[must_use]
     pub fn wanted(&self) -> &str {
         &self.wanted
     }
 
     /// Returns the input of a name, if there is one.
-    #[must_use]
     pub fn get(&self, name: &str) -> Option<&str> {
         let found = self.inputs.iter().find(|(known, _)| known == name);
         found.map(|(_, text)| text.as_str())
     }
 
     /// Returns the input of a name; an empty text if there is none.
-    #[must_use]
     pub fn text(&self, name: &str) -> &str {
         self.get(name).unwrap_or_default()
     }
@@ -220,20 +215,17 @@ pub fn check_examples(path: &str, mut result: impl FnMut(&Example) -> String) {
     }
     let mut report = format!("{} examples differ\n", differing.len());
     for (example, expected, came) in differing {
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            report,
-            "\n{path}:{}: {}",
+        report.push_str(&format!(
+            "\n{path}:{}: {}\n",
             expected.lines.start + 1,
             example.heading()
-        );
-        let _ = writeln!(report, "--- expected\n{}\n--- came\n{came}", expected.text);
+        ));
+        report.push_str(&format!("--- expected\n{}\n--- came\n{came}\n", expected.text));
     }
     panic!("{report}");
 }
 
 /// Returns whether a text is the expected one, in which `…` stands for any text.
-#[must_use]
 pub fn fits(expected: &str, came: &str) -> bool {
     let mut pieces = expected.split('…');
     let first = pieces.next().unwrap_or_default();

@@ -2,7 +2,6 @@
 
 use crate::markdown::{Fence, Mistake, sections};
 use crate::{Block, Difference};
-use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -28,7 +27,7 @@ pub fn check(folder: impl AsRef<Path>, checked: impl Fn(&Block) -> Vec<Differenc
             for Difference { line, what } in found {
                 let (path, line) = (path.display(), block.line + line - 1);
                 let what = what.replace('\n', "\n    ");
-                let _ = writeln!(report, "{path}:{line}: {}\n    {what}\n", block.heading);
+                report.push_str(&format!("{path}:{line}: {}\n    {what}\n\n", block.heading));
             }
         }
     }

@@ -6,7 +6,6 @@ use serde_json::{Map, Value};
 ///
 /// # Panics
 /// A schema with a keyword that is not known here, or with a reference to nothing.
-#[must_use]
 pub fn misfit(root: &Value, value: &Value) -> Option<String> {
     SchemaCheck { root }.misfit(root, value, "")
 }

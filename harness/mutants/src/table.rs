@@ -3,7 +3,6 @@
 use crate::explained::{Explained, ExplanationKind};
 use crate::outcomes::{MutantFate, MutantOutcome};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 /// The topics of the suite, and the code of each: a file, a folder, or a file and a part of the names of its functions.
 /// Each mutant that survives there must be explained.
@@ -153,8 +152,9 @@ pub fn table(mutants: &[JudgedMutant], by_file: bool) -> String {
         .iter()
         .filter(|mutant| mutant.outcome.fate == MutantFate::Unviable)
         .count();
-    // Writing into a String does not fail.
-    let _ = writeln!(text, "\n{unviable} more do not compile and are not counted.");
+    text.push_str(&format!(
+        "\n{unviable} more do not compile and are not counted.\n"
+    ));
     text
 }
 

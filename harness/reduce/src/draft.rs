@@ -24,7 +24,6 @@ type FoundChanges = HashMap<&'static str, Rc<Vec<Edits>>>;
 
 impl TextDraft {
     /// Creates the first candidate of a reduction.
-    #[must_use]
     pub fn new(text: &str, dialect: DialectName, rules: Rc<dyn TextRules>) -> TextDraft {
         TextDraft {
             text: text.to_owned(),
@@ -35,25 +34,21 @@ impl TextDraft {
     }
 
     /// Returns the text.
-    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
     /// Returns the dialect in which the text is read.
-    #[must_use]
     pub fn dialect(&self) -> DialectName {
         self.dialect
     }
 
     /// Returns the rules that every text of the reduction keeps.
-    #[must_use]
     pub fn rules(&self) -> &dyn TextRules {
         &*self.rules
     }
 
     /// Returns whether the text keeps the rules.
-    #[must_use]
     pub fn is_allowed(&self) -> bool {
         self.rules.allow(&self.text, self.dialect)
     }

@@ -46,7 +46,6 @@ const MAX_VARIABLES: usize = 300;
 
 impl ReferenceRules {
     /// Returns the rules for the texts that are made of this one.
-    #[must_use]
     pub fn new(text: &str, dialect: DialectName) -> ReferenceRules {
         let (unit, diagnostics) = parse(text, Dialect::of(dialect));
         ReferenceRules {

@@ -62,13 +62,11 @@ impl Sites {
     }
 
     /// Creates sites that are all chosen, for an edit that is part of another.
-    #[must_use]
     pub fn all() -> Sites {
         Sites::new(0..usize::MAX)
     }
 
     /// Creates sites with the same choice, for a second walk over the same subject.
-    #[must_use]
     pub fn again(&self) -> Sites {
         Sites::new(self.chosen.clone())
     }

@@ -36,13 +36,11 @@ impl TextDraft {
 
 impl<'t> TextView<'t> {
     /// Returns the text.
-    #[must_use]
     pub fn text(&self) -> &'t str {
         self.draft.text()
     }
 
     /// Keeps the changes that leave an allowed text when made alone.
-    #[must_use]
     pub fn only_allowed(&self, mut changes: Vec<Edits>) -> Vec<Edits> {
         changes.retain(|change| self.draft.after(change).is_allowed());
         changes
@@ -50,7 +48,6 @@ impl<'t> TextView<'t> {
 
     /// Returns every list of statements, outer ones before inner ones; those of the last program organization unit first,
     /// because it is the one that runs.
-    #[must_use]
     pub fn lists(&self) -> Vec<&'t [Statement]> {
         let mut found = Vec::new();
         for pou in self.unit.pous().rev() {
@@ -64,13 +61,11 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns every statement, in the order of [`TextView::lists`].
-    #[must_use]
     pub fn statements(&self) -> Vec<&'t Statement> {
         self.lists().into_iter().flatten().collect()
     }
 
     /// Returns every expression with its place, outer ones before inner ones, in the order of the text.
-    #[must_use]
     pub fn expressions(&self) -> Vec<(Place, &'t Expression<'t>)> {
         let found = self.parts().expressions.into_iter();
         let mut found: Vec<_> = found.map(|part| (part.place, part.expression)).collect();
@@ -79,7 +74,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns all sections of variables.
-    #[must_use]
     pub fn sections(&self) -> Vec<&'t VariableBlock<'t>> {
         self.parts().sections
     }
@@ -94,7 +88,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the type of every variable, field and declared type, with the initial value beside it.
-    #[must_use]
     pub fn specifications(&self) -> Vec<(&'t TypeSpecification<'t>, Option<&'t Initializer<'t>>)> {
         let groups = self.parts().groups.into_iter();
         let variables = groups.map(|group| (&group.specification, group.initializer.as_ref()));
@@ -106,7 +99,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns each expression of a POU that is this name, read or written.
-    #[must_use]
     pub fn uses(&self, pou: &Pou<'_>, name: Name<'_>) -> Vec<Part<'t, 't>> {
         let mut found = self.parts().expressions;
         found.retain(|part| part.pou.is_some_and(|own| own.span == pou.span) && part.is(name.text));
@@ -114,7 +106,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the expression that another one is a part of.
-    #[must_use]
     pub fn around(&self, part: &Part<'_, '_>) -> Option<&'t Expression<'t>> {
         self.unit.expression(part.around?)
     }
@@ -126,7 +117,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the range of an expression.
-    #[must_use]
     pub fn range_of_expression(&self, id: ExpressionId) -> Range<usize> {
         self.unit
             .expression(id)
@@ -134,7 +124,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the range of a CASE label.
-    #[must_use]
     pub fn range_of_label(&self, label: &CaseLabel) -> Range<usize> {
         match label {
             CaseLabel::Value(value) => self.range_of_expression(*value),
@@ -145,7 +134,6 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the tokens that begin inside a range.
-    #[must_use]
     pub fn inside(&self, range: Range<usize>) -> &'t [Token] {
         let list = &self.tokens.list;
         let first = list.partition_point(|token| (token.span.start as usize) < range.start);
@@ -154,33 +142,28 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the first token behind a place.
-    #[must_use]
     pub fn next(&self, from: usize) -> Option<&'t Token> {
         self.inside(from..self.text().len()).first()
     }
 
     /// Returns the last token before a place.
-    #[must_use]
     pub fn previous(&self, to: usize) -> Option<&'t Token> {
         self.inside(0..to).last()
     }
 
     /// Returns `end`, moved past a semicolon that follows.
-    #[must_use]
     pub fn with_semicolon(&self, end: usize) -> usize {
         let next = self.next(end).filter(|token| token.kind == TokenKind::Semicolon);
         next.map_or(end, |token| token.span.end as usize)
     }
 
     /// Returns the range of some statements, with the semicolon of the last one.
-    #[must_use]
     pub fn range_of_statements(&self, statements: &[Statement]) -> Option<Range<usize>> {
         let (first, last) = (statements.first()?, statements.last()?);
         Some(first.span.start as usize..self.range_of_statement(last).end)
     }
 
     /// Returns the range of a statement with its semicolon.
-    #[must_use]
     pub fn range_of_statement(&self, statement: &Statement) -> Range<usize> {
         let range: Range<usize> = statement.span.into();
         match statement.kind {
@@ -191,14 +174,12 @@ impl<'t> TextView<'t> {
     }
 
     /// Returns the range of a declaration, from its first name to its semicolon.
-    #[must_use]
     pub fn range_of_declaration(&self, group: &VariableGroup<'_>) -> Option<Range<usize>> {
         let from = group.names.first()?.span.start as usize;
         Some(from..self.end_of(&group.specification, group.initializer.as_ref()))
     }
 
     /// Returns the end of a declaration after its semicolon.
-    #[must_use]
     pub fn end_of(
         &self,
         specification: &TypeSpecification<'_>,
@@ -210,7 +191,6 @@ impl<'t> TextView<'t> {
 
     /// Returns for each element of a list in brackets the edit that removes it with one comma. `open` is at or before the opening
     /// bracket, `ends` are the ends of the elements, and `close` is that of the list.
-    #[must_use]
     pub fn list_items(&self, open: usize, ends: &[usize], close: usize) -> Vec<Edits> {
         let is_bracket = |token: &&Token| matches!(token.kind, TokenKind::LeftParen | TokenKind::LeftBracket);
         let Some(bracket) = self.inside(open..close).iter().find(is_bracket) else {

@@ -65,7 +65,6 @@ const CELLS: usize = 1;
 
 impl AddressMap {
     /// Returns the address of the value that begins at a cell; `None` where no variable with an address lies.
-    #[must_use]
     pub fn address_of(&self, cell: Address) -> Option<u64> {
         let index = self.objects.partition_point(|object| object.cell <= cell);
         let object = self.objects.get(index.checked_sub(1)?)?;
@@ -75,7 +74,6 @@ impl AddressMap {
 
     /// Returns the variable of an address, the layout and the cell of the part that lies there, and the offset in bytes from its start:
     /// the part of the wanted layout that begins there, or else the value of one cell that has this byte. `None` where no variable has it.
-    #[must_use]
     pub fn find(&self, address: u64, wanted: LayoutId) -> Option<(MemoryObject, LayoutId, Address, u32)> {
         let index = usize::try_from(address >> 32).ok()?.checked_sub(1)?;
         let object = *self.objects.get(index)?;
@@ -84,7 +82,6 @@ impl AddressMap {
     }
 
     /// Returns the offset in bytes of the part of a value that lies at an offset in cells.
-    #[must_use]
     pub fn offset_in_bytes(&self, layout: LayoutId, cells: u32) -> u32 {
         self.descend(layout, cells, CELLS, None)
             .map_or(0, |(_, bytes, _)| bytes)

@@ -89,7 +89,6 @@ pub(crate) fn with_blocks(
 }
 
 /// Returns whether a name is that of a standard function block, of whose variables only inputs and outputs are known to programs.
-#[must_use]
 pub fn has_block(name: &str) -> bool {
     block(&name.to_ascii_uppercase(), &Dialect::DEFAULT).is_some()
 }

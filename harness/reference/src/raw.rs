@@ -6,7 +6,6 @@ use stickler_types::ElementaryType;
 /// type's width, sign-extended for a signed type and zero-extended for the others. This is the value modulo
 /// 2^n. Types of 64 bits keep all bits.
 #[inline]
-#[must_use]
 pub const fn narrow(bits: u64, ty: ElementaryType) -> u64 {
     // A text has no bits; the mask keeps the shift in range for it, and for 64-bit types the shift is 0.
     let unused = 64_u32.wrapping_sub(ty.bits()) & 63;

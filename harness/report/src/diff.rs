@@ -2,7 +2,6 @@
 
 use similar::algorithms::{Capture, Replace, myers};
 use similar::{DiffOp, DiffTag, group_diff_ops};
-use std::fmt::Write;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
@@ -188,8 +187,7 @@ pub fn text(expected: &str, got: &str) -> String {
             text.push_str("  ...\n");
             continue;
         }
-        // Writing to a String cannot fail.
-        let _ = write!(text, "{} ", line.side.sign());
+        text.push_str(&format!("{} ", line.side.sign()));
         line.pieces.iter().for_each(|(_, piece)| text.push_str(piece));
         text.push('\n');
     }

@@ -18,7 +18,6 @@ use crate::unexpected::Unexpected;
 use indexmap::IndexMap;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -211,8 +210,11 @@ fn claims(overview: &Overview) -> TestSuite {
             standing.passed, standing.failed, standing.open, standing.unsupported, standing.waiting
         );
         if let Some(source) = overview.source(claim.source) {
-            // Writing to a String cannot fail.
-            let _ = write!(output, "\n{}: {}", source.kind, source.address_of(claim.section));
+            output.push_str(&format!(
+                "\n{}: {}",
+                source.kind,
+                source.address_of(claim.section)
+            ));
         }
         let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
         let status = match (standing.failed, standing.unexpected()) {
@@ -270,12 +272,11 @@ fn outdated_entries(overview: &Overview) -> Option<TestSuite> {
 
 fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
     let mut name = claim.source.to_owned();
-    // Writing to a String cannot fail.
     if !claim.section.is_empty() {
-        let _ = write!(name, ": {}", claim.section);
+        name.push_str(&format!(": {}", claim.section));
     }
     if name_engine {
-        let _ = write!(name, " ({})", claim.engine);
+        name.push_str(&format!(" ({})", claim.engine));
     }
     name
 }

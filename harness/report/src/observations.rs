@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use stickler_run::CaseEvent;
-use stickler_types::WordTable;
+use stickler_types::{WordTable, grouped_by_key};
 
 /// The maximum number of characters that are kept of a value.
 const MAX_KEPT_CHARACTERS: usize = 300;
@@ -113,7 +113,7 @@ impl Observations {
 
     /// Returns each value with the engines that gave it; the value of the first engine comes first.
     fn values(&self, seen: &[Seen], engines: &[&str]) -> Vec<(&str, Vec<String>)> {
-        let mut values: Vec<(&str, Vec<String>)> = Vec::new();
+        let mut values: Vec<(&str, String)> = Vec::new();
         for engine in engines {
             let own: Vec<&Seen> = seen
                 .iter()
@@ -128,13 +128,10 @@ impl Observations {
                     false => format!("{engine} in {}", self.words.word(seen.dialect)),
                 };
                 let value = self.words.word(seen.value);
-                match values.iter_mut().find(|(known, _)| *known == value) {
-                    Some((_, by)) => by.push(who),
-                    None => values.push((value, vec![who])),
-                }
+                values.push((value, who));
             }
         }
-        values
+        grouped_by_key(values)
     }
 }
 

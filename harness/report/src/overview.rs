@@ -8,6 +8,7 @@ use stickler_run::{
     CaseEvent, Cause, EngineHeader, Event, Footer, Grade, Header, OutdatedEntry, Source, Totals, Verdict,
     clip_facts,
 };
+use stickler_types::sorted;
 
 /// The maximum number of lines that are kept of each text of a failing case.
 const MAX_KEPT_LINES: usize = 100;
@@ -125,16 +126,8 @@ impl Overview {
 
     /// Returns every area of the run, sorted.
     pub fn areas(&self) -> Vec<&str> {
-        let mut areas: Vec<&str> = self
-            .totals
-            .values()
-            .flat_map(BTreeMap::values)
-            .flat_map(BTreeMap::keys)
-            .map(String::as_str)
-            .collect();
-        areas.sort_unstable();
-        areas.dedup();
-        areas
+        let of_dialects = self.totals.values().flat_map(BTreeMap::values);
+        sorted(of_dialects.flat_map(BTreeMap::keys).map(String::as_str))
     }
 
     /// Returns the verdict counts of the whole run.

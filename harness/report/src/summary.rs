@@ -12,7 +12,6 @@ use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
 use crate::{compared, diff, overview};
-use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
 
@@ -68,31 +67,29 @@ fn heading(overview: &Overview) -> String {
     };
     let lacking = lacking(overview).map_or(String::new(), |lacking| format!(", and {lacking}"));
     let mut text = format!("# Stickler: {verdict}{lacking}\n\n");
-    // Writing to a String cannot fail.
     if let Some(header) = &overview.header {
         let engines: Vec<String> = header
             .engines
             .iter()
             .map(|engine| format!("{} {}{}", engine.name, engine.version, judged(engine.strict)))
             .collect();
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "Suite {} on {}, {}",
             header.suite,
             engines.join(", "),
             header.started
-        );
+        ));
         if let Some(shard) = &header.shard {
-            let _ = write!(text, ", part {shard} of the suite");
+            text.push_str(&format!(", part {shard} of the suite"));
         }
     }
     if let Some(footer) = &overview.footer {
-        let _ = write!(text, ", in {}", took(footer));
+        text.push_str(&format!(", in {}", took(footer)));
     }
     text.push_str(".\n\n");
     let dialects = overview.header.iter().flat_map(|header| &header.defined);
     for line in dialects.take(50).flat_map(defined) {
-        let _ = writeln!(text, "- {}", inline(&line));
+        text.push_str(&format!("- {}\n", inline(&line)));
     }
     for broken in overview
         .header
@@ -100,10 +97,10 @@ fn heading(overview: &Overview) -> String {
         .flat_map(|header| &header.broken_files)
         .take(50)
     {
-        let _ = writeln!(text, "- **broken case file** {}", inline(broken));
+        text.push_str(&format!("- **broken case file** {}\n", inline(broken)));
     }
     for entry in overview.outdated().take(50) {
-        let _ = writeln!(text, "- **out of date** {}", inline(&outdated(entry)));
+        text.push_str(&format!("- **out of date** {}\n", inline(&outdated(entry))));
     }
     text
 }
@@ -175,10 +172,9 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
-        let _ = write!(
-            page.text,
+        page.text.push_str(&format!(
             "\n... and {rest} more; `events.jsonl.gz` has them all.\n"
-        );
+        ));
     }
 }
 

@@ -3,7 +3,6 @@
 
 use crate::overview::Overview;
 use std::borrow::Cow;
-use std::fmt::Write;
 use stickler_run::{BaselineNote, Footer, Grade, OutdatedEntry, Totals, Verdict, clip_line};
 use stickler_types::{counted, wrap_within};
 
@@ -31,10 +30,7 @@ pub(crate) fn visible(text: &str) -> String {
         match character {
             '\n' | '\t' => shown.push(character),
             '\r' => {}
-            _ if character.is_control() => {
-                // Writing to a String cannot fail.
-                let _ = write!(shown, "{}", character.escape_unicode());
-            }
+            _ if character.is_control() => shown.extend(character.escape_unicode()),
             _ => shown.push(character),
         }
     }
@@ -131,8 +127,7 @@ pub(crate) fn percent_encoded(text: &str, kept: &str) -> String {
         if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) || kept.as_bytes().contains(&byte) {
             encoded.push(char::from(byte));
         } else {
-            // Writing to a String cannot fail.
-            let _ = write!(encoded, "%{byte:02X}");
+            encoded.push_str(&format!("%{byte:02X}"));
         }
     }
     encoded

@@ -1,7 +1,6 @@
 //! Clips what an engine said, which may have any length, and states how much is left out.
 
 use crate::fact::Fact;
-use std::fmt::Write;
 
 /// The maximum number of characters of a text of an engine, such as a message, that an event keeps. What follows is counted.
 const MAX_TEXT_LEN: usize = 1000;
@@ -79,8 +78,7 @@ fn clip_text(text: &mut String, characters: usize) {
     let rest = text.len() - end;
     if rest > MAX_NOTE_LEN {
         text.truncate(end);
-        // Writing to a String cannot fail.
-        let _ = write!(text, " ... {rest} bytes more");
+        text.push_str(&format!(" ... {rest} bytes more"));
         text.shrink_to_fit();
     }
 }

@@ -1,7 +1,7 @@
 //! Facts: what a case expects and what an engine did, as typed data until a report prints them.
 
 use serde::{Deserialize, Serialize};
-use std::fmt::{self, Write};
+use std::fmt;
 use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 
 /// One thing that a case expects, or that an engine did.
@@ -147,12 +147,11 @@ impl Fact {
 
     /// Returns a fingerprint of several facts: a hash of their text, the same on every machine and in every version.
     pub fn fingerprint(facts: &[Fact]) -> u32 {
-        let mut hasher = Hasher(Fnv1a::default());
+        let mut hash = Fnv1a::default();
         for fact in facts {
-            // Hashing does not fail.
-            let _ = writeln!(hasher, "{fact}");
+            hash.write(format!("{fact}\n"));
         }
-        hasher.0.folded()
+        hash.folded()
     }
 
     /// Returns the error, where the fact is one.
@@ -283,16 +282,6 @@ fn write_diagnostic(f: &mut fmt::Formatter<'_>, diagnostic: &Diagnostic) -> fmt:
     match diagnostic.message.as_str() {
         "" => Ok(()),
         message => write!(f, ": {}", OneLine(message)),
-    }
-}
-
-/// Hashes the text that is written to it.
-struct Hasher(Fnv1a);
-
-impl fmt::Write for Hasher {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0.write(text);
-        Ok(())
     }
 }
 

@@ -11,7 +11,7 @@ use crate::answers::{Answers, ask, ask_pack};
 use std::time::{Duration, Instant};
 use stickler_engines::{EngineError, EngineSession, Packed};
 use stickler_suite::{Acceptance, Case};
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, grouped_by_key};
 
 /// The kind of expectation that all cases of a pack share.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -59,20 +59,15 @@ pub fn breaks_reading(code: Code) -> bool {
 /// pack size is in `sizes`. A case that is asked about alone is a pack of one.
 pub(crate) fn packs(cases: &[(&Case, usize)], sizes: &[usize]) -> Vec<Vec<usize>> {
     let mut packs = Vec::new();
-    let mut groups: Vec<((usize, DialectName, PackKind), Vec<usize>)> = Vec::new();
+    let mut packed = Vec::new();
     for (place, &(case, engine)) in cases.iter().enumerate() {
         let kind = if sizes[engine] > 1 { pack_kind(case) } else { None };
-        let Some(kind) = kind else {
-            packs.push(vec![place]);
-            continue;
-        };
-        let key = (engine, case.dialect, kind);
-        match groups.iter_mut().find(|(of, _)| *of == key) {
-            Some((_, group)) => group.push(place),
-            None => groups.push((key, vec![place])),
+        match kind {
+            Some(kind) => packed.push(((engine, case.dialect, kind), place)),
+            None => packs.push(vec![place]),
         }
     }
-    for ((engine, ..), group) in groups {
+    for ((engine, ..), group) in grouped_by_key(packed) {
         let pieces = group.len().div_ceil(sizes[engine]);
         // Packs of like sizes: a small one at the end would cost as much as a large one.
         packs.extend(group.chunks(group.len().div_ceil(pieces)).map(<[usize]>::to_vec));
@@ -143,6 +138,7 @@ fn halve(unknown: Vec<usize>, size: usize, open: &mut Vec<Vec<usize>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
     #[test]
     fn a_long_program_is_asked_about_alone() {

@@ -5,7 +5,6 @@
 //! the command line (`cargo run --release`) runs the same cases with reports.
 
 use similar::TextDiff;
-use std::fmt::Write;
 use std::path::Path;
 use stickler_engines::{Engine, EngineSession, Reference};
 use stickler_run::{Fact, Judgement, Plan, RunError, Verdict, ask, judge};
@@ -64,22 +63,29 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
         ..
     } = judgement;
     let mut text = String::new();
-    // Writing into a String does not fail.
-    let _ = writeln!(text, "{verdict}  {}  ({}:{})", case.key(), case.file, case.line);
-    let _ = writeln!(text, "  {}: {}", case.basis, case.title);
+    text.push_str(&format!(
+        "{verdict}  {}  ({}:{})\n",
+        case.key(),
+        case.file,
+        case.line
+    ));
+    text.push_str(&format!("  {}: {}\n", case.basis, case.title));
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     for (name, lines) in [("expected", &expected), ("got", &got)] {
-        let _ = writeln!(text, "  {name}:");
+        text.push_str(&format!("  {name}:\n"));
         lines.lines().for_each(|line| text.extend(["    ", line, "\n"]));
     }
-    let _ = writeln!(text, "  diff:");
+    text.push_str("  diff:\n");
     // Both end their last line, or it would differ from an equal line that is not the last.
     let (expected, got) = (format!("{expected}\n"), format!("{got}\n"));
     for change in TextDiff::from_lines(expected.as_str(), got.as_str()).iter_all_changes() {
         let line = change.value().trim_end_matches('\n');
-        let _ = writeln!(text, "    {}{line}", change.tag());
+        text.push_str(&format!("    {}{line}\n", change.tag()));
     }
-    let _ = writeln!(text, "  again: {}", Plan::default().rerun(case, "reference"));
+    text.push_str(&format!(
+        "  again: {}\n",
+        Plan::default().rerun(case, "reference")
+    ));
     text
 }
 

@@ -18,7 +18,6 @@ pub struct Bases(String);
 
 impl Bases {
     /// Returns the bases as one text, with [`OR`] between them.
-    #[must_use]
     pub fn text(&self) -> &str {
         &self.0
     }
@@ -35,7 +34,6 @@ impl<'de> Deserialize<'de> for Bases {
 
 impl Sources {
     /// Returns the basis that a case of a dialect has of several: the first whose source speaks for it; `None` where none does.
-    #[must_use]
     pub fn choose<'b>(&self, bases: &'b str, dialect: DialectName) -> Option<&'b str> {
         let speaks = |basis: &&str| {
             self.of(basis)

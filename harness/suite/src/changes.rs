@@ -37,7 +37,6 @@ pub struct Changed<'s> {
 
 impl Suite {
     /// Returns the cases that changed since an older version, by their ids and dialects: first those that this version has.
-    #[must_use]
     pub fn changes_since<'s>(&'s self, older: &'s Suite) -> Vec<Changed<'s>> {
         let (olds, news) = (older.by_key(), self.by_key());
         let mut changed = Vec::new();

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use stickler_types::dialect_file::read_documented;
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, sorted};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake, in_file};
@@ -74,7 +74,6 @@ impl Dialects {
     }
 
     /// Reads the text of the `dialects.toml` that reports show as `shown`; returns its usable part and its mistakes.
-    #[must_use]
     pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
         let (dialects, mistakes) = Dialects::default().with_groups(text);
         (dialects, in_file(mistakes, shown))
@@ -155,13 +154,10 @@ impl Dialects {
         let mut found = self.of_names(named)?;
         let others = self.of_names(but)?;
         found.retain(|dialect| !others.contains(dialect));
-        found.sort_unstable();
-        found.dedup();
-        Ok(found)
+        Ok(sorted(found))
     }
 
     /// Returns whether names begin with the word for every documented system.
-    #[must_use]
     pub fn is_all(names: &str) -> bool {
         names.split_whitespace().next() == Some(EVERY)
     }

@@ -73,7 +73,6 @@ words! {
 
 impl Feature {
     /// Returns what a dialect declares of the feature.
-    #[must_use]
     pub fn support(&self, dialect: DialectName) -> FeatureSupport {
         let rules = dialect.rules();
         // No table of the fourth edition is public: it has what the third has, without what its file names.
@@ -97,7 +96,6 @@ impl Feature {
 
 impl Case {
     /// Returns the keys of the features that the program of the case uses.
-    #[must_use]
     pub fn features(&self) -> BTreeSet<FeatureKey> {
         stickler_syntax::features::features(&self.source, Dialect::of(self.dialect))
     }
@@ -105,7 +103,6 @@ impl Case {
 
 impl Features {
     /// Returns the features of the suite that ships with Stickler, without asking whether their bases have sources.
-    #[must_use]
     pub fn built_in() -> &'static Features {
         static BUILT_IN: LazyLock<Features> = LazyLock::new(|| {
             let text = include_str!("../../../conformance-cases/features.toml");
@@ -121,7 +118,6 @@ impl Features {
     }
 
     /// Returns the feature of a key; `None` where the list has none of it.
-    #[must_use]
     pub fn get(&self, key: &str) -> Option<&Feature> {
         self.list.iter().find(|feature| feature.key == key)
     }
@@ -164,12 +160,9 @@ impl Features {
                     say(message, word);
                 }
             }
-            let lacked = self
-                .list
-                .iter()
-                .filter(|feature| dialect.rules().lacks(&feature.key));
-            for key in lacked.map(|feature| feature.key.clone()).collect::<Vec<_>>() {
-                self.lacked.entry(key).or_default().insert(dialect);
+            for feature in self.list.iter().filter(|feature| rules.lacks(&feature.key)) {
+                let lacking = self.lacked.entry(feature.key.clone());
+                lacking.or_default().insert(dialect);
             }
         }
         mistakes
@@ -177,7 +170,6 @@ impl Features {
 
     /// Returns whether a name, in capital letters, is that of an elementary type, of a conversion function of a dialect, or of a feature: a
     /// standard function or function block.
-    #[must_use]
     pub fn is_standard(&self, name: &str, dialect: DialectName) -> bool {
         let key = name.to_ascii_lowercase();
         ElementaryType::from_name(name).is_some()
@@ -188,7 +180,6 @@ impl Features {
 
     /// Returns a feature of a program that a dialect does not declare to have: neither its edition of IEC 61131-3 has a table of it, nor
     /// does its file name it. `None` in a suite without a list of features.
-    #[must_use]
     pub fn undeclared(&self, program: &str, dialect: DialectName) -> Option<FeatureKey> {
         if self.list.is_empty() {
             return None;

@@ -49,7 +49,6 @@ pub enum FileKind {
 
 impl FileKind {
     /// Returns the extension of such files, without the point.
-    #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
             FileKind::Program => "st",

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 
 use rustc_hash::FxHashSet;
-use stickler_types::{DialectName, Question};
+use stickler_types::{DialectName, Question, sorted};
 use toml::Spanned;
 
 use crate::assembly::Assembly;
@@ -157,9 +157,7 @@ impl FileContext<'_> {
                 Err(message) => mistakes.push(self.lines.mistake(name, key, message)),
             }
         }
-        dialects.sort_unstable();
-        dialects.dedup();
-        dialects
+        sorted(dialects)
     }
 
     /// Returns those of the dialects that a program can be asked in: the file names them, or they have all features of the program.

@@ -132,7 +132,6 @@ impl Case {
     }
 
     /// Returns whether the case only records: it asserts nothing but that the program is accepted, if that.
-    #[must_use]
     pub fn is_open(&self) -> bool {
         self.expectation.is_open(&self.observe)
     }

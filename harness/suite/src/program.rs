@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::DialectName;
+use stickler_types::{DialectName, grouped_by_key};
 
 use crate::assemble::Assembler;
 use crate::error::Mistake;
@@ -109,15 +109,8 @@ impl ProgramTemplate {
         dialects: &[DialectName],
         texts: &[&str],
     ) -> Vec<(Vec<usize>, Vec<DialectName>)> {
-        let mut groups: Vec<(Vec<usize>, Vec<DialectName>)> = Vec::with_capacity(1);
-        for &dialect in dialects {
-            let active = self.active(dialect, texts);
-            match groups.iter_mut().find(|(known, _)| *known == active) {
-                Some((_, members)) => members.push(dialect),
-                None => groups.push((active, vec![dialect])),
-            }
-        }
-        groups
+        let dialects = dialects.iter();
+        grouped_by_key(dialects.map(|&dialect| (self.active(dialect, texts), dialect)))
     }
 
     /// Returns whether one of these marks claims that the program is rejected.

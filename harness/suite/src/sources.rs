@@ -154,13 +154,11 @@ impl Sources {
     }
 
     /// Returns the source with this key.
-    #[must_use]
     pub fn get(&self, key: &str) -> Option<&Source> {
         self.sources.iter().find(|source| source.key == key)
     }
 
     /// Returns the section about a diagnostic code in a source of an engine's makers; `None` where they have none of codes.
-    #[must_use]
     pub fn of_code(&self, code: &str, engine: &str) -> Option<String> {
         let mut sources = self.sources.iter();
         let found = sources.find(|source| {
@@ -174,7 +172,6 @@ impl Sources {
 
     /// Returns the basis on which an engine must not show a symptom: for a crash the section whose name stands in what it said, for a place
     /// that is missing the first section. `None` where no source of its makers tells that.
-    #[must_use]
     pub fn telling(&self, symptom: ToldSymptom, engine: &str, said: &str) -> Option<String> {
         let own = |source: &&Source| {
             source.symptoms.contains(&symptom) && source.engines.iter().any(|own| own == engine)
@@ -191,7 +188,6 @@ impl Sources {
 
     /// Returns the source that a basis such as `ironplc-bit-access: Syntax` begins with, and the rest of the basis. Does not ask
     /// whether the source has the section.
-    #[must_use]
     pub fn of<'s, 'b>(&'s self, basis: &'b str) -> Option<(&'s Source, &'b str)> {
         let (key, section) = basis.split_once(':')?;
         Some((self.get(key)?, section.trim()))
@@ -200,7 +196,6 @@ impl Sources {
     /// Returns whether documents that speak for some dialects are about this one, so that they bind who follows it: they speak for
     /// it or for the system of which it is a variant. About a dialect of `stickler.toml` only its definition is, since it inherits what the
     /// extended one does and not whom that is bound to; about the dialect of a standard only the standard is.
-    #[must_use]
     pub fn are_about(&self, dialects: &[DialectName], dialect: DialectName) -> bool {
         let system = if dialect.is_custom() {
             dialect
@@ -248,7 +243,6 @@ impl Sources {
 impl Source {
     /// Returns whether a section of the source speaks for a dialect, or for the dialect that it extends, so that a case of the dialect may
     /// cite it: a recording only for those in which its product was asked.
-    #[must_use]
     pub fn speaks_for(&self, section: &str, dialect: DialectName) -> bool {
         let dialects = self.dialects_of(section);
         let names = |dialect| dialects.contains(&dialect);
@@ -257,7 +251,6 @@ impl Source {
 
     /// Returns the dialects for which a section speaks: of a recording, those in which its product was asked, and of every other source its
     /// [`dialects`](Source::dialects).
-    #[must_use]
     pub fn dialects_of(&self, section: &str) -> &[DialectName] {
         match self.recorded.get(section) {
             Some(Ok(recorded)) => &recorded.dialects,
@@ -267,7 +260,6 @@ impl Source {
     }
 
     /// Returns whether a section of the source speaks for a built-in engine: a recording for the compiler that was recorded.
-    #[must_use]
     pub fn speaks_of(&self, section: &str, engine: &str) -> bool {
         match self.recorded.get(section) {
             Some(Ok(recorded)) => recorded.origin.is_of(section, engine),
@@ -276,7 +268,6 @@ impl Source {
     }
 
     /// Returns the edition, version, commit or date at which a section was read: of a recording, the product, its version and the date.
-    #[must_use]
     pub fn read_of(&self, section: &str) -> Cow<'_, str> {
         match self.recorded.get(section) {
             Some(Ok(RecordedOrigin { origin, .. })) => {
@@ -287,21 +278,18 @@ impl Source {
     }
 
     /// Returns whether the source stands in no `sources.toml`: the recordings and the rules.
-    #[must_use]
     pub fn is_built_in(&self) -> bool {
         matches!(self.key.as_str(), RECORDING | RULE)
     }
 
     /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases. In
     /// the address of the source `{section}` stands for its name, `{anchor}` for its words in lower case with hyphens between them.
-    #[must_use]
     pub fn address_of(&self, section: &str) -> String {
         let address = self.address.replace("{section}", section);
         address.replace("{anchor}", &sections::anchor(section))
     }
 
     /// Returns the first section that the file of sources names; `None` where it names none.
-    #[must_use]
     pub fn first_section(&self) -> Option<&str> {
         self.sections.headings.first().map(|(name, _)| name.as_str())
     }

@@ -183,7 +183,6 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
 /// (`.st`) or a table (`.toml`), which may be put together of `places`. Returns the cases to run and the mistakes, but does not
 /// ask whether a basis names a source.
-#[must_use]
 pub fn read_case_file(
     name: &str,
     text: &str,

@@ -1,6 +1,5 @@
 //! Draws a case with several scans as a timing diagram: a line for the clock, each variable that is set, and each that is expected.
 
-use std::fmt::Write;
 use std::ops::RangeInclusive;
 
 use stickler_types::{ElementaryType, Value};
@@ -18,14 +17,12 @@ struct Line {
 
 impl Case {
     /// Returns whether the case sets or expects something in certain scans, so that there is something to draw.
-    #[must_use]
     pub fn has_timing(&self) -> bool {
         let expects = self.expectation.values.iter().any(|value| value.after.is_some());
         expects || !self.set.is_empty() || !self.clock.is_empty()
     }
 
     /// Draws these scans, counted from 1: BOOL as a level that is low or high, other values as texts, in blocks as wide as a terminal.
-    #[must_use]
     pub fn timing_diagram(&self, scans: RangeInclusive<u32>) -> String {
         let lines = self.lines(&scans);
         let scans: Vec<String> = scans.map(|scan| scan.to_string()).collect();
@@ -44,14 +41,13 @@ impl Case {
                 .map(|scan| format!("{scan:<cell$}"))
                 .collect();
             let gap = if start > 0 { "\n" } else { "" };
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "{gap}{:<name$}  {}", "scan", numbers.trim_end());
+            text.push_str(&format!("{gap}{:<name$}  {}\n", "scan", numbers.trim_end()));
             for line in &lines {
                 let drawn: String = line.values[block.clone()]
                     .iter()
                     .map(|value| drawn(value.as_ref(), cell))
                     .collect();
-                let _ = writeln!(text, "{:<name$}  {}", line.name, drawn.trim_end());
+                text.push_str(&format!("{:<name$}  {}\n", line.name, drawn.trim_end()));
             }
         }
         text

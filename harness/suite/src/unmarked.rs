@@ -7,7 +7,6 @@ use crate::scan::RawMark;
 
 impl Case {
     /// Returns the case with a program without blank lines, and with the lines of the expectation counted in that program.
-    #[must_use]
     pub fn without_blank_lines(&self) -> Case {
         let (program, lines) = without_blank_lines(&self.source);
         let line = |line: u32| match lines.binary_search(&line) {
@@ -22,7 +21,6 @@ impl Case {
 }
 
 /// Returns a program without its blank lines, and of each line that is left the number that it had.
-#[must_use]
 pub fn without_blank_lines(program: &str) -> (String, Vec<u32>) {
     let (mut filled, mut lines) = (String::with_capacity(program.len()), Vec::new());
     for (line, number) in program.lines().zip(1..) {

@@ -93,7 +93,6 @@ impl Withdrawn {
 
 impl Suite {
     /// Returns the entry by which a case was withdrawn; `dialect` is empty where all dialects are meant.
-    #[must_use]
     pub fn withdrawn(&self, id: &str, dialect: &str) -> Option<&Withdrawn> {
         let mut entries = self.withdrawn.iter();
         entries.find(|entry| entry.covers(id, dialect))

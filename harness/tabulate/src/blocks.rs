@@ -16,7 +16,6 @@ use crate::table::Table;
 use model::{Block, Inputs, Rule};
 use side_by_side::{counting_side_by_side, side_by_side};
 use std::collections::HashMap;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use stickler_types::ElementaryType;
 
@@ -185,8 +184,7 @@ fn table(block: Block, rule: Rule, seen: &[Inputs], range: (i128, i128), presets
             _ => format!(" {}{seconds}", now.preset),
         };
         let outputs = block.outputs_after(&seen[..=scan], rule, range).join(" ");
-        // Writing into a String does not fail.
-        let _ = writeln!(text, "{time}{}{preset} | {outputs}", bits.join(" "));
+        text.push_str(&format!("{time}{}{preset} | {outputs}\n", bits.join(" ")));
     }
     text
 }

@@ -3,7 +3,7 @@
 use crate::call::{Agreed, Call};
 use crate::table::{ProbeClaim, Table, TableProbe};
 use stickler_exact::{Expected, Operation, page_has_truncation};
-use stickler_types::{DialectName, ElementaryType, distinct};
+use stickler_types::{DialectName, ElementaryType, distinct, sorted};
 
 /// The tables whose probes may record a result that a document speaks of, because their ids are older than that knowledge, or
 /// because the program asks something else beside it; other tables assert these results.
@@ -109,9 +109,7 @@ impl Table {
     /// Returns the bases of a call as a cell has them: sources that speak for some dialects stand before those that speak for
     /// all.
     pub(crate) fn bases(&self, said: &[(DialectName, &'static str)]) -> Result<String, String> {
-        let mut bases: Vec<&str> = said.iter().map(|(_, basis)| *basis).collect();
-        bases.sort_unstable();
-        bases.dedup();
+        let mut bases = sorted(said.iter().map(|(_, basis)| *basis));
         let speaks_for = |basis: &str| {
             let all = DialectName::ALL.into_iter();
             all.filter(|dialect| self.chosen(basis, *dialect).is_some())

@@ -4,7 +4,7 @@ use crate::call::{Agreed, Call};
 use crate::claim::OPEN;
 use crate::table::{ProbeClaim, Table};
 use stickler_suite::SourceKind;
-use stickler_types::{Dialect, DialectName, Value, distinct};
+use stickler_types::{Dialect, DialectName, Value, distinct, sorted};
 
 /// The result of a call in a dialect, and the source that states it; `None` where none speaks of this dialect.
 struct Statement {
@@ -80,9 +80,7 @@ impl Table {
             kind.is_some_and(|kind| !matches!(kind, SourceKind::Standard | SourceKind::Rule))
         };
         let bases = stated.iter().filter_map(|statement| statement.basis);
-        let mut bases: Vec<&str> = bases.filter(is_of_a_system).collect();
-        bases.sort_unstable();
-        bases.dedup();
+        let bases = sorted(bases.filter(is_of_a_system));
         (!bases.is_empty()).then(|| bases.join(stickler_suite::OR))
     }
 

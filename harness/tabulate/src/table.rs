@@ -3,7 +3,6 @@
 use crate::call::{Call, CellWriter, of_column};
 use crate::generate;
 use serde::Deserialize;
-use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
 use stickler_suite::{Bases, Dialects, Generate, SourceKind, Sources};
@@ -281,10 +280,9 @@ fn aligned(rows: &[Vec<String>]) -> String {
     for row in &rows {
         let mut text = String::new();
         for (cell, width) in row.iter().zip(&widths) {
-            // Writing into a String does not fail.
-            let _ = write!(text, "{:<width$} ", format!("{cell},"), width = width + 1);
+            text.push_str(&format!("{:<width$} ", format!("{cell},"), width = width + 1));
         }
-        let _ = writeln!(out, "    [{}],", text.trim_end().trim_end_matches(','));
+        out.push_str(&format!("    [{}],\n", text.trim_end().trim_end_matches(',')));
     }
     out.push(']');
     out

@@ -103,7 +103,6 @@ include!(concat!(env!("OUT_DIR"), "/conversion_choices.rs"));
 
 impl ConversionChoices {
     /// Returns the keys of the choices, such as `conversions.rounding`.
-    #[must_use]
     pub const fn keys() -> &'static [&'static str] {
         ConversionChoices::KEYS
     }

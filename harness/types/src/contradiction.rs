@@ -23,13 +23,11 @@ words! {
 
 impl Relation {
     /// Returns whether the publisher makes what the source speaks of.
-    #[must_use]
     pub fn is_maker(&self) -> bool {
         *self == Relation::Maker
     }
 
     /// Returns the kind of a source with the relation of its publisher, where that is not the maker: `document (integrator)`.
-    #[must_use]
     pub fn with_kind(self, kind: &str) -> String {
         match self {
             Relation::Maker => kind.to_owned(),
@@ -76,7 +74,6 @@ pub struct Contradiction {
 
 impl Contradiction {
     /// Returns whether the claims still hold in this version of the compiler, as it says it: they ended with a later one, or with this one.
-    #[must_use]
     pub fn claims_hold_in(&self, version: &str) -> bool {
         let until = self.until.clone();
         let is_dated = until.is_some();
@@ -84,7 +81,6 @@ impl Contradiction {
     }
 
     /// Returns whether a claim is contradicted, of a case with this id or of a program that shows it.
-    #[must_use]
     pub fn is_of(&self, basis: &str, (case, program): (&str, &str)) -> bool {
         let is_claimed = self.claims.iter().any(|claim| claim == basis);
         if !is_claimed || self.only.is_empty() {

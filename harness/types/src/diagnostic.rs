@@ -20,7 +20,6 @@ words! {
 
 impl Severity {
     /// Returns whether this is [`Severity::Error`].
-    #[must_use]
     pub fn is_error(&self) -> bool {
         *self == Severity::Error
     }
@@ -63,13 +62,11 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// Returns whether the program is rejected because of this diagnostic.
-    #[must_use]
     pub fn is_error(&self) -> bool {
         self.severity.is_error()
     }
 
     /// Returns the code, if the registry has it.
-    #[must_use]
     pub fn registered_code(&self) -> Option<Code> {
         self.code.as_deref()?.parse().ok()
     }

@@ -103,13 +103,11 @@ const CROSS_FAMILY: &str = "flags.allow-cross-family-widening";
 
 impl Dialect {
     /// Returns the rules of a dialect.
-    #[must_use]
     pub fn of(name: DialectName) -> &'static Dialect {
         name.rules()
     }
 
     /// Returns a custom dialect that overrides nothing of another one.
-    #[must_use]
     pub fn custom(spelling: &str, base: DialectName, place: &str) -> Dialect {
         Dialect::of(base).extended(spelling, place)
     }
@@ -139,7 +137,6 @@ impl Dialect {
 
     /// Returns the dialect with another choice, which the source `basis` states beside the documents; `value` is written as in the
     /// file: `true`, `"truncate"`. `None` where there is no such key or value.
-    #[must_use]
     pub fn stating(mut self, key: &str, value: &str, basis: &str) -> Option<Dialect> {
         let value = DeValue::parse(value).ok()?;
         self.state(key, value.get_ref(), Some(basis.to_owned()))?.ok()?;
@@ -247,7 +244,6 @@ impl Dialect {
     }
 
     /// Returns the overrides in the notation of `stickler.toml`: `implicit INT.BOOL = yes`.
-    #[must_use]
     pub fn overrides(&self) -> Vec<String> {
         // The flag stands for these.
         let cross_family = self.stated.get(CROSS_FAMILY);
@@ -265,20 +261,17 @@ impl Dialect {
     }
 
     /// Returns the basis of the statement under a key, if one is made beside the documents of the base.
-    #[must_use]
     pub fn basis(&self, key: &str) -> Option<&str> {
         self.stated.get(key).map(String::as_str)
     }
 
     /// Returns the statement about a pair of types; `None` if there is none.
-    #[must_use]
     pub fn implicit(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated> {
         self.cells.get(&(from, to))
     }
 
     /// Returns whether the system lacks a feature of the list `conformance-cases/features.toml`, by its own words or by the choices of its
     /// file.
-    #[must_use]
     pub fn lacks(&self, feature: &str) -> bool {
         use ElementaryType::{Ldate, Ldt, Ltime, Ltod};
         let by_choice = match feature {
@@ -302,7 +295,6 @@ impl Dialect {
     }
 
     /// Returns the name that the standard has for what the system calls by this one, which itself is returned otherwise.
-    #[must_use]
     pub fn standard_name<'n>(&'n self, name: &'n str) -> &'n str {
         let has_names = !self.names.is_empty();
         let own = has_names.then(|| self.names.get(&name.to_ascii_uppercase()));
@@ -310,7 +302,6 @@ impl Dialect {
     }
 
     /// Returns whether the system has a value, as far as its documents say of durations and dates.
-    #[must_use]
     pub fn holds(&self, value: &Value) -> bool {
         let (Value::Plain { ty, raw }, false) = (value, self.ranges.is_empty()) else {
             return true;
@@ -324,19 +315,16 @@ impl Dialect {
     }
 
     /// Returns the elementary type of this name, by the standard or of the system's own; it may be one that the dialect does not have.
-    #[must_use]
     pub fn elementary(&self, name: &str) -> Option<ElementaryType> {
         ElementaryType::from_name(self.standard_name(name))
     }
 
     /// Returns whether the edition of the dialect has this elementary type.
-    #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
         !ty.is_third_edition() || self.third_edition_types.includes(ty)
     }
 
     /// Returns whether a program may name this elementary type: the edition of the dialect has it, and its documents do not say that it lacks it.
-    #[must_use]
     pub fn may_name(&self, ty: ElementaryType) -> bool {
         self.has(ty) && !self.features.lacked_types.contains(&ty)
     }

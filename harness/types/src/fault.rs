@@ -53,7 +53,6 @@ impl Fault {
     ];
 
     /// Returns the word of the fault.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Fault::DivisionByZero => "division-by-zero",
@@ -69,7 +68,6 @@ impl Fault {
 
     /// Returns the fault that an engine reports by these words: one of [`Fault::ALL`], or else one of its own, of which the first line
     /// is kept.
-    #[must_use]
     pub fn reported(words: &str) -> Fault {
         let line = words.trim().lines().next().unwrap_or_default().trim_end();
         if let Ok(known) = line.parse() {

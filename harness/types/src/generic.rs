@@ -15,7 +15,6 @@ words! {
 
 impl GenericType {
     /// Returns whether an elementary type is of this generic type.
-    #[must_use]
     pub const fn contains(self, ty: ElementaryType) -> bool {
         match self {
             GenericType::Any | GenericType::Elementary => true,

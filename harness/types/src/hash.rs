@@ -15,7 +15,6 @@ impl Default for Fnv1a {
 
 impl Fnv1a {
     /// Returns the state after these bytes.
-    #[must_use]
     pub fn of(bytes: impl AsRef<[u8]>) -> Fnv1a {
         let mut hash = Fnv1a::default();
         hash.write(bytes);
@@ -37,13 +36,11 @@ impl Fnv1a {
     }
 
     /// Returns the hash.
-    #[must_use]
     pub const fn finish(self) -> u64 {
         self.0
     }
 
     /// Returns both halves of the hash folded into one, for names that people read.
-    #[must_use]
     pub const fn folded(self) -> u32 {
         ((self.0 >> 32) ^ (self.0 & 0xFFFF_FFFF)) as u32
     }

@@ -6,7 +6,6 @@ use std::borrow::Borrow;
 const NEAR: usize = 2;
 
 /// Returns the most similar of `words`, if one is similar enough to `word`.
-#[must_use]
 pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Option<&'w str> {
     let lower = word.to_lowercase();
     words
@@ -19,7 +18,6 @@ pub fn nearest<'w>(word: &str, words: impl IntoIterator<Item = &'w str>) -> Opti
 }
 
 /// Formats a list of words, each between backquotes: `a`, `b` and `c`.
-#[must_use]
 pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
     let words: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
     match words.is_empty() {
@@ -29,7 +27,6 @@ pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
 }
 
 /// Joins words as prose does, with a word such as `and` before the last: a, b and c.
-#[must_use]
 pub fn joined<W: Borrow<str>>(words: &[W], conjunction: &str) -> String {
     match words {
         [others @ .., last] if !others.is_empty() => {

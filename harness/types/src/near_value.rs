@@ -35,7 +35,6 @@ impl Value {
     }
 
     /// Returns whether an engine may give a value where this one is expected: an equal one, or one that is so near.
-    #[must_use]
     pub fn admits(&self, given: &Value) -> bool {
         match (self, given) {
             (&Value::Near { ty, raw, units }, &Value::Plain { ty: of, raw: given }) => {

@@ -1,7 +1,6 @@
 //! Numbers as messages and reports have them.
 
 /// Writes a number with commas between its thousands: `62,118`.
-#[must_use]
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() * 4 / 3);
@@ -15,7 +14,6 @@ pub fn grouped(number: u64) -> String {
 }
 
 /// Writes a number, grouped, and the word for one or for several: `1 case`, `62,118 cases`.
-#[must_use]
 pub fn counted(number: u64, one: &str, several: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { one } else { several })
 }

@@ -12,7 +12,6 @@ const MAX_OBSERVED_LEN: usize = 16 << 10;
 
 impl Value {
     /// Returns the duration, date or time of day with this number of nanoseconds, which a compiler may keep in more than 64 bits.
-    #[must_use]
     pub fn of_nanoseconds(ty: ElementaryType, nanoseconds: i128) -> Value {
         match i64::try_from(nanoseconds) {
             Ok(within) => Value::plain(ty, within.cast_unsigned()),

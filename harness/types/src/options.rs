@@ -61,13 +61,11 @@ impl Choice for PartialAccess {
 
 impl PartialAccess {
     /// Returns whether `.%Xn` selects a bit.
-    #[must_use]
     pub const fn is_enabled(self) -> bool {
         matches!(self, PartialAccess::BitsOnly) || self.has_wider_parts()
     }
 
     /// Returns whether `.%Bn`, `.%Wn` and `.%Dn` select parts.
-    #[must_use]
     pub const fn has_wider_parts(self) -> bool {
         matches!(
             self,
@@ -114,7 +112,6 @@ impl FreeWords {
     pub const NONE: FreeWords = FreeWords(Vec::new());
 
     /// Returns whether a word, in any case, is one of these.
-    #[must_use]
     pub fn contain(&self, word: &str) -> bool {
         self.0.iter().any(|free| free.eq_ignore_ascii_case(word))
     }

@@ -99,21 +99,18 @@ impl Outcome {
     pub const ACCEPTED: Outcome = Outcome::Accepted { warnings: Vec::new() };
 
     /// Returns the outcome of a program that ran to its end and had no warning.
-    #[must_use]
     pub const fn executed(values: Vec<NamedValue>) -> Outcome {
         let warnings = Vec::new();
         Outcome::Executed { values, warnings }
     }
 
     /// Returns the outcome of a program that was rejected with these diagnostics, of which the errors are kept.
-    #[must_use]
     pub fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
         diagnostics.retain(Diagnostic::is_error);
         Outcome::Rejected { diagnostics }
     }
 
     /// Returns the outcome of an engine that crashed, for this reason.
-    #[must_use]
     pub fn crashed(reason: impl Into<String>) -> Outcome {
         let reason = reason.into();
         Outcome::Crashed { reason }
@@ -121,7 +118,6 @@ impl Outcome {
 
     /// Returns the outcome of checking a program: rejected where a diagnostic is an error, otherwise accepted with the
     /// diagnostics as warnings.
-    #[must_use]
     pub fn of_check(diagnostics: Vec<Diagnostic>) -> Outcome {
         match diagnostics.iter().any(Diagnostic::is_error) {
             true => Outcome::rejected(diagnostics),
@@ -133,7 +129,6 @@ impl Outcome {
 
     /// Returns whether a program and its rendered text ended alike. The lines of faults and errors may differ, since comments are
     /// dropped; and a program that was rejected may have been rendered all the same, so that its text is rejected at whatever place.
-    #[must_use]
     pub fn ends_like(&self, rendered: &Outcome) -> bool {
         use Outcome::{Faulted, Rejected};
         match (self, rendered) {
@@ -163,7 +158,6 @@ impl Outcome {
     }
 
     /// Returns the warnings of a program that was accepted; `None` where no compiler accepted it.
-    #[must_use]
     pub fn warnings(&self) -> Option<&[Diagnostic]> {
         match self {
             Outcome::Accepted { warnings }
@@ -174,7 +168,6 @@ impl Outcome {
     }
 
     /// Formats a time limit for messages: `300 ms`, `60 s`, `1.5 s`.
-    #[must_use]
     pub fn limit(milliseconds: u64) -> String {
         match (milliseconds / 1000, milliseconds % 1000) {
             (0, rest) => format!("{rest} ms"),

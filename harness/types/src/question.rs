@@ -44,7 +44,6 @@ pub struct ConversionCall {
 pub struct UnknownQuestion(String);
 
 /// Returns whether a text names a bit or a part of a variable, as it stands after the variable and its dot: `7`, `%X7`, `%B1`.
-#[must_use]
 pub fn is_part(text: &str) -> bool {
     let index = match text.strip_prefix('%') {
         Some(sized) => sized.strip_prefix(['X', 'B', 'W', 'D', 'L']),

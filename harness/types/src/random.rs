@@ -13,20 +13,17 @@ pub struct SplitMix64 {
 
 impl SplitMix64 {
     /// Returns the sequence of a seed. Neighbouring seeds may give overlapping sequences.
-    #[must_use]
     pub const fn new(seed: u64) -> SplitMix64 {
         SplitMix64 { state: seed }
     }
 
     /// Returns the sequence of a seed that is mixed first, so that the sequences of neighbouring seeds do not overlap.
-    #[must_use]
     pub const fn separate(seed: u64) -> SplitMix64 {
         SplitMix64 { state: mixed(seed) }
     }
 
     /// Returns the number at a place without drawing those before it; the next number that [`draw`](SplitMix64::draw)
     /// returns has place 1.
-    #[must_use]
     pub const fn at(self, place: u64) -> u64 {
         mixed(self.state.wrapping_add(place.wrapping_mul(STEP)))
     }
@@ -44,7 +41,6 @@ impl SplitMix64 {
     }
 
     /// Returns `length` bytes: the numbers of the sequence, the low byte first.
-    #[must_use]
     pub fn bytes(self, length: usize) -> Vec<u8> {
         let mut bytes: Vec<u8> = self
             .numbers()

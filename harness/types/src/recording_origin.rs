@@ -24,7 +24,6 @@ impl RecordingOrigin {
     pub const REQUIRED: &str = "a recording says in [recording] its product, version, platform and date";
 
     /// Returns what is wrong with the origin, and what to do, as a fragment; `None` where it says what a recording must say.
-    #[must_use]
     pub fn mistake(&self) -> Option<String> {
         let said = [
             ("product", &self.product),
@@ -44,7 +43,6 @@ impl RecordingOrigin {
 
     /// Returns whether an engine with this name is the recorded compiler: `file` is the name of the recording's file without its ending, and
     /// it or the product names the engine.
-    #[must_use]
     pub fn is_of(&self, file: &str, engine: &str) -> bool {
         [file, &self.product]
             .into_iter()

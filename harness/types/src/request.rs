@@ -24,7 +24,6 @@ pub struct RunRequest<'a> {
 
 impl<'a> RunRequest<'a> {
     /// Builds the request for a program that runs one scan, without settings and clock.
-    #[must_use]
     pub const fn once(dialect: DialectName, source: &'a str, observe: &'a [Observation]) -> RunRequest<'a> {
         RunRequest {
             dialect,
@@ -37,7 +36,6 @@ impl<'a> RunRequest<'a> {
     }
 
     /// Returns whether an engine must support several scans, settings or observations between scans to answer the request.
-    #[must_use]
     pub fn needs_scans(&self) -> bool {
         self.scans != 1
             || !self.clock.is_empty()
@@ -69,7 +67,6 @@ pub struct Observation {
 
 impl Observation {
     /// Builds the observation of a variable after the last scan.
-    #[must_use]
     pub fn last(name: &str, type_name: &str) -> Observation {
         Observation {
             name: name.into(),
@@ -79,7 +76,6 @@ impl Observation {
     }
 
     /// Returns the key under which the engine returns the value.
-    #[must_use]
     pub fn key(&self) -> ObservationKey<'_> {
         ObservationKey {
             name: &self.name,
@@ -99,7 +95,6 @@ pub struct ObservationKey<'a> {
 
 impl ObservationKey<'_> {
     /// Returns whether `text` equals the output of `Display`, without producing it.
-    #[must_use]
     pub fn is(&self, text: &str) -> bool {
         match (self.after, text.strip_prefix(self.name)) {
             (None, Some(rest)) => rest.is_empty(),
@@ -140,7 +135,6 @@ pub struct ClockSetting {
 
 impl ClockSetting {
     /// Builds the settings of scans that are `cycle` nanoseconds apart, of which the first begins with the program.
-    #[must_use]
     pub fn each(cycle: i64, scans: u32) -> Vec<ClockSetting> {
         let at = |before: u32| ClockSetting {
             before,
@@ -150,7 +144,6 @@ impl ClockSetting {
     }
 
     /// Builds the setting from a time literal; `None` if the value is neither a `TIME` nor an `LTIME`.
-    #[must_use]
     pub fn at(before: u32, time: &Value) -> Option<ClockSetting> {
         match time {
             Value::Plain { ty, raw } if ty.is_duration() => Some(ClockSetting {

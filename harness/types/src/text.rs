@@ -1,7 +1,6 @@
 //! Texts for people that have little room.
 
 /// Shortens a text to so many characters at most, at least 1; `…` stands for the rest.
-#[must_use]
 pub fn shortened(text: &str, characters: usize) -> String {
     match text.char_indices().nth(characters) {
         None => text.to_owned(),

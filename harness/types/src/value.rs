@@ -86,7 +86,6 @@ impl Value {
     }
 
     /// Returns the elementary type of a value that its type has; `None` for a value of an enumeration, and for one that no program has.
-    #[must_use]
     pub const fn elementary(&self) -> Option<ElementaryType> {
         match self {
             Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
@@ -109,7 +108,6 @@ impl Value {
     }
 
     /// Returns whether a BOOL is TRUE; `None` for other values.
-    #[must_use]
     pub fn truth(&self) -> Option<bool> {
         match *self {
             Value::Plain { ty, raw } => (ty == ElementaryType::Bool).then_some(raw != 0),

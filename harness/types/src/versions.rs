@@ -13,7 +13,6 @@ pub struct Versions {
 
 impl Versions {
     /// Returns whether the claim holds for a version, as a compiler says it; `false` of one without a number where an end is stated.
-    #[must_use]
     pub fn include(&self, version: &str) -> bool {
         let numbers = version_numbers(version);
         let is_after = |since: &String| numbers.is_some() && numbers >= version_numbers(since);
@@ -22,7 +21,6 @@ impl Versions {
     }
 
     /// Returns whether the claim begins after a version, as a compiler says it; `false` of one without a number.
-    #[must_use]
     pub fn begin_after(&self, version: &str) -> bool {
         let since = self.since.as_deref().and_then(version_numbers);
         since.is_some_and(|since| version_numbers(version).is_some_and(|version| version < since))
@@ -40,7 +38,6 @@ impl Versions {
     }
 
     /// Returns what is wrong with the ends: one without a number, or a first version behind the last one.
-    #[must_use]
     pub fn mistake(&self) -> Option<String> {
         let mut ends = self.since.iter().chain(&self.until);
         if let Some(end) = ends.find(|end| version_numbers(end).is_none()) {
@@ -74,7 +71,6 @@ impl fmt::Display for Versions {
 
 /// Returns the first three numbers of a version, as a compiler or a person writes it: those with which a word begins, behind a `v` at most. What follows them
 /// (`-beta`, `+build`) does not count, and numbers that are missing are 0. `None` where no word begins so, or where it is a commit.
-#[must_use]
 pub fn version_numbers(version: &str) -> Option<[u64; 3]> {
     /// The greatest length of a word without a point that is a number; a longer one is a commit or a date.
     const MAX_NUMBER_LEN: usize = 6;

@@ -21,7 +21,6 @@ macro_rules! words {
             pub const ALL: [$name; [$($name::$word),*].len()] = [$($name::$word),*];
 
             /// Returns the word.
-            #[must_use]
             pub const fn as_str(self) -> &'static str {
                 match self {
                     $($name::$word => $text,)*
@@ -29,7 +28,6 @@ macro_rules! words {
             }
 
             /// Returns the variant with this word.
-            #[must_use]
             pub fn from_word(word: &str) -> Option<$name> {
                 $name::ALL.into_iter().find(|known| known.as_str() == word)
             }

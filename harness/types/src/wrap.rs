@@ -4,13 +4,11 @@
 const WIDTH: usize = 80;
 
 /// Breaks a paragraph into lines of at most 80 characters, except for longer words.
-#[must_use]
 pub fn wrap(paragraph: &str) -> String {
     wrap_within(paragraph, WIDTH)
 }
 
 /// Breaks a paragraph into lines of at most `width` characters, except for longer words.
-#[must_use]
 pub fn wrap_within(paragraph: &str, width: usize) -> String {
     let mut text = String::with_capacity(paragraph.len() + 1);
     let mut column = 0;

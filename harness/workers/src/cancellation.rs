@@ -8,7 +8,6 @@ pub struct Cancellation(AtomicBool);
 
 impl Cancellation {
     /// A flag that is not raised.
-    #[must_use]
     pub const fn new() -> Cancellation {
         Cancellation(AtomicBool::new(false))
     }
@@ -19,7 +18,6 @@ impl Cancellation {
     }
 
     /// Returns whether the flag is raised.
-    #[must_use]
     pub fn is_requested(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

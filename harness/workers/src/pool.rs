@@ -51,7 +51,6 @@ enum WorkerMessage<R, E> {
 
 impl WorkerPool {
     /// Returns a pool of this many threads; 0 stands for one a processor.
-    #[must_use]
     pub fn new(jobs: usize) -> WorkerPool {
         let threads = match jobs {
             0 => thread::available_parallelism().map_or(1, NonZero::get),
@@ -61,7 +60,6 @@ impl WorkerPool {
     }
 
     /// Returns the number of threads, which is at least 1.
-    #[must_use]
     pub const fn threads(self) -> usize {
         self.threads
     }

@@ -33,7 +33,6 @@ impl<R> Reorder<R> {
     }
 
     /// Returns how many results were taken out, which is the number of the task whose turn it is.
-    #[must_use]
     pub const fn taken(&self) -> usize {
         self.next
     }

@@ -46,13 +46,11 @@ impl Shard {
     }
 
     /// Returns the number of the part, from 1.
-    #[must_use]
     pub const fn index(self) -> u32 {
         self.index
     }
 
     /// Returns the number of parts, which is at least 1.
-    #[must_use]
     pub const fn count(self) -> u32 {
         self.count
     }
@@ -60,7 +58,6 @@ impl Shard {
     /// Returns whether the case with this id and dialect belongs to this part.
     ///
     /// A hash (FNV-1a) of `id@dialect` decides, so that a case stays in its part when others come or go.
-    #[must_use]
     pub fn holds_case(self, id: &str, dialect: &str) -> bool {
         let mut hash = Fnv1a::default();
         [id, "@", dialect].iter().for_each(|part| hash.write(part));
@@ -72,7 +69,6 @@ impl Shard {
 
     /// Returns the first place at or behind this one that belongs to this part, which has every [`count`](Shard::count)-th
     /// place of a row; `None` where numbers do not reach so far.
-    #[must_use]
     pub fn first_place(self, from: u64) -> Option<u64> {
         let count = u64::from(self.count);
         let wanted = u64::from(self.index - 1);

@@ -45,12 +45,12 @@ pub(crate) fn ask(session: &mut EngineSession<'_>, question: JudgedProgram<'_>) 
 
 /// Runs programs of one dialect, in packs where the engine takes several at a time. Programs about which the answer to a pack
 /// says nothing are asked about again, in packs of half the size, so that a pack changes no outcome. Returns the outcome of each
-/// program; `None` for those that were not reached while `going` held.
+/// program, and how it compares with what was asked; `None` for those that were not reached while `going` held.
 pub(crate) fn ask_all(
     session: &mut EngineSession<'_>,
     questions: &[JudgedProgram<'_>],
     going: &dyn Fn() -> bool,
-) -> Vec<Option<Outcome>> {
+) -> Vec<Option<(Outcome, Agreement)>> {
     let mut outcomes: Vec<Option<Outcome>> = vec![None; questions.len()];
     let places: Vec<usize> = (0..questions.len()).collect();
     let most = session.engine().pack_size().max(1);
@@ -74,7 +74,12 @@ pub(crate) fn ask_all(
         let half = pack.len().div_ceil(2);
         open.extend(unknown.chunks(half).map(<[usize]>::to_vec));
     }
-    outcomes
+    let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
+        let outcome = outcome?;
+        let agreement = compare(*question, &outcome);
+        Some((outcome, agreement))
+    });
+    compared.collect()
 }
 
 /// Runs a pack of these programs. Where no session can be opened, nothing is known of any.

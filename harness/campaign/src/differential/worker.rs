@@ -137,13 +137,7 @@ impl<'b> DifferentialWorker<'b> {
             .iter()
             .map(|subject| subject.question(is_reference))
             .collect();
-        let outcomes = ask_all(&mut self.sessions[index], &questions, going);
-        let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
-            let outcome = outcome?;
-            let agreement = compare(*question, &outcome);
-            Some((outcome, agreement))
-        });
-        compared.collect()
+        ask_all(&mut self.sessions[index], &questions, going)
     }
 
     /// Returns how many programs an engine is best given at a time, at least one.

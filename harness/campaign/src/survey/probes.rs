@@ -80,7 +80,7 @@ pub(super) struct SurveyProbe {
 
 /// The programs of a survey in one dialect.
 pub(super) struct ProbeSource {
-    dialect: DialectName,
+    pub(super) dialect: DialectName,
     /// The programs, those with few parts first.
     sample: Vec<ProbeProgram>,
     /// The number of programs that use a part, by its word.
@@ -106,11 +106,6 @@ impl ProbeSource {
             sample,
             frequencies,
         }
-    }
-
-    /// Returns the dialect.
-    pub(super) fn dialect(&self) -> DialectName {
-        self.dialect
     }
 
     /// Returns the words for all parts that the programs use.

@@ -6,7 +6,6 @@ use crate::exit::Exit;
 use anyhow::{Context, bail};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -149,13 +148,12 @@ fn page(old: &Suite, new: &Suite) -> String {
     let [before, now] = [old, new].map(|suite| counted(suite.cases.len() as u64, "case", "cases"));
     let more = counted(claims.difference(&claimed).count() as u64, "claim", "claims");
     let fewer = claimed.difference(&claims).count();
-    let _ = writeln!(
-        text,
-        "{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|"
-    );
+    text.push_str(&format!(
+        "{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|\n"
+    ));
     let of = |change: Change| changes.iter().filter(move |changed| changed.change == change);
     for (change, title, ..) in TABLES {
-        let _ = writeln!(text, "| {title} | {} |", grouped(of(change).count() as u64));
+        text.push_str(&format!("| {title} | {} |\n", grouped(of(change).count() as u64)));
     }
     push_withdrawn(&mut text, new, of(Change::Withdrawn));
     let is_new = |changed: &&Changed<'_>| !claimed.contains(&*changed.new.basis);
@@ -185,7 +183,7 @@ fn push_withdrawn<'a>(text: &mut String, suite: &Suite, cases: impl Iterator<Ite
         let heading = if at == 0 { "\n### Withdrawn\n\n" } else { "" };
         let of_id = |(id, number): (&&str, &u64)| format!("`{id}` ({})", counted(*number, "case", "cases"));
         let ids: Vec<String> = ids.iter().map(of_id).collect();
-        let _ = writeln!(text, "{heading}* {}, {entry}", ids.join(", "));
+        text.push_str(&format!("{heading}* {}, {entry}\n", ids.join(", ")));
     }
 }
 
@@ -206,21 +204,19 @@ fn push_table<'a>(
     for (at, (row, (number, example))) in groups.iter().take(MAX_ROWS).enumerate() {
         if at == 0 {
             let rule = "---|".repeat(columns.split('|').count() + 2);
-            let _ = writeln!(
-                text,
-                "\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}"
-            );
+            text.push_str(&format!(
+                "\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}\n"
+            ));
         }
-        let _ = writeln!(text, "| {row} | {} | `{example}` |", grouped(*number));
+        text.push_str(&format!("| {row} | {} | `{example}` |\n", grouped(*number)));
     }
     let rest = groups.iter().skip(MAX_ROWS).map(|(_, (number, _))| number);
     let (rows, cases) = (rest.clone().count(), rest.sum());
     if rows > 0 {
-        let _ = writeln!(
-            text,
-            "\nAnd {rows} more with {}.",
+        text.push_str(&format!(
+            "\nAnd {rows} more with {}.\n",
             counted(cases, "case", "cases")
-        );
+        ));
     }
 }
 

@@ -24,7 +24,7 @@ use stickler_campaign::{
     EngineUnderTest, Exclusions, Inputs, Oracle, ReproductionCommands, Store, TargetOracle, Until,
 };
 use stickler_generate::oracles::FuzzTarget;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, sorted};
 use stickler_workers::Shard;
 use survey::{Surveyed, surveyed};
 
@@ -213,9 +213,7 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Re
     if spoken.is_empty() {
         spoken.extend(asked);
     }
-    spoken.sort_unstable();
-    spoken.dedup();
-    Ok(spoken)
+    Ok(sorted(spoken))
 }
 
 /// Returns the given path, or that of the finding of this name in the folder of findings.

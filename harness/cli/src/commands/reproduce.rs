@@ -6,7 +6,6 @@ use crate::arguments::ReproduceArguments;
 use crate::exit::Exit;
 use crate::{engines, interrupt, output};
 use anyhow::{Context, anyhow, bail};
-use std::fmt::Write as _;
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -189,20 +188,18 @@ impl ReproductionPage<'_> {
     fn text(&self) -> String {
         let (heading, title) = self.subject.heading();
         let mut text = format!("# `{heading}` on {}\n\n", self.engine);
-        // Writing into a String does not fail.
         if !title.is_empty() {
-            let _ = write!(text, "{title}.\n\n");
+            text.push_str(&format!("{title}.\n\n"));
         }
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "`sh run.sh` gives `{}` to {}, with the compiler's own tools alone. The variables at the head of `run.sh` say where \
              these are.\n\n",
             self.program, self.engine
-        );
+        ));
         for (what, shown) in self.results() {
-            let _ = write!(text, "{what}:\n\n{}\n", indented(&shown));
+            text.push_str(&format!("{what}:\n\n{}\n", indented(&shown)));
         }
-        let _ = writeln!(text, "Lines are those of `{}`.", self.program);
+        text.push_str(&format!("Lines are those of `{}`.\n", self.program));
         text
     }
 

@@ -23,7 +23,7 @@ use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
 use stickler_run::{AnswerStore, Baseline, Event, Filter, Plan, RunError, RunSummary, is_asked, select};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, sorted};
 use stickler_workers::Cancellation;
 use watch::CaseWatch;
 
@@ -178,9 +178,7 @@ fn spoken(engines: &[&dyn Engine]) -> Vec<DialectName> {
 /// # Errors
 /// Engines that speak the dialect of no case: then there is no run that could be reported.
 fn understood(plan: &Plan, cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
-    let mut dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
-    dialects.sort_unstable();
-    dialects.dedup();
+    let dialects = sorted(cases.iter().map(|case| case.dialect));
     let mut failed = None;
     for engine in engines {
         match engines::spoken(engine.identity(), &dialects) {

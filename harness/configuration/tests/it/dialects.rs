@@ -1,7 +1,6 @@
 //! Tests of the dialects that a file defines: `tests/definitions.md`, and what no table can tell.
 
 use crate::{mistake, read};
-use std::fmt::Write;
 use stickler_types::DialectName;
 
 /// Returns what a dialect is, a statement a line.
@@ -14,15 +13,14 @@ fn shown(name: DialectName) -> String {
     );
     for ((from, to), stated) in &definition.cells {
         let basis = stated.basis.as_deref().unwrap_or("-");
-        let _ = writeln!(
-            text,
-            "    implicit {from}.{to} = {}: {basis}",
+        text.push_str(&format!(
+            "    implicit {from}.{to} = {}: {basis}\n",
             stated.value.as_str()
-        );
+        ));
     }
     for (key, value) in definition.statements() {
         let basis = definition.basis(key).unwrap_or("-");
-        let _ = writeln!(text, "    {key} = {value}: {basis}");
+        text.push_str(&format!("    {key} = {value}: {basis}\n"));
     }
     text
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::LazyLock;
 use stickler_exact::{Operation, Signature};
-use stickler_types::{DialectName, ElementaryType, Family, wrap_within};
+use stickler_types::{DialectName, ElementaryType, Family, grouped_by_key, wrap_within};
 
 const DIM: Style = Style::new().dimmed();
 
@@ -61,18 +61,13 @@ pub fn rules(signature: &Signature, dialects: &[DialectName]) -> Vec<(String, St
 
 /// Returns each choice of a topic with the dialects that make it, in the order of the dialects.
 fn choices(topic: Topic, signature: &Signature, dialects: &[DialectName]) -> Vec<(String, Vec<DialectName>)> {
-    let mut found: Vec<(String, Vec<DialectName>)> = Vec::new();
-    for dialect in dialects {
-        let key = format!("conversions.{}", topic.1);
+    let key = format!("conversions.{}", topic.1);
+    grouped_by_key(dialects.iter().map(|dialect| {
         let mut all = dialect.rules().all_choices();
         let made = all.find(|(known, _)| *known == key);
         let choice = said(topic, &made.map_or(String::new(), |(_, word)| word), signature);
-        match found.iter_mut().find(|(known, _)| *known == choice) {
-            Some((_, choosers)) => choosers.push(*dialect),
-            None => found.push((choice, vec![*dialect])),
-        }
-    }
-    found
+        (choice, *dialect)
+    }))
 }
 
 /// Returns what `choices.toml` says of a choice.

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use stickler_exact::{Operation, Signature};
-use stickler_types::{ElementaryType, Family, Value, boundaries, distinct};
+use stickler_types::{ElementaryType, Family, Value, boundaries, distinct, sorted};
 
 /// The values that an overview shows besides the limits of types.
 static LISTS: LazyLock<Lists> =
@@ -86,10 +86,8 @@ fn integers(from: ElementaryType, signature: &Signature) -> Vec<Value> {
     numbers.extend(beside_limits(signature.result));
     numbers.extend(telling(signature));
     numbers.retain(|number| (least..=greatest).contains(number));
-    numbers.sort_unstable();
-    numbers.dedup();
     let value = |number| Value::plain(from, from.wrap(number));
-    numbers.into_iter().map(value).collect()
+    sorted(numbers).into_iter().map(value).collect()
 }
 
 fn beside_limits(ty: ElementaryType) -> Vec<i128> {

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value};
-use stickler_types::{PrintedResult, distinct, shortened, wrap, wrap_within};
+use stickler_types::{PrintedResult, distinct, shortened, sorted, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -139,10 +139,7 @@ impl OverviewPage<'_> {
         table(&columns, signature.operands.len()).write(out, Some(WIDTH))?;
         self.write_troubles(results, out)?;
         if choices::any(signature) {
-            let mut dialects: Vec<DialectName> =
-                results.columns.iter().map(|column| column.dialect).collect();
-            dialects.sort_unstable();
-            dialects.dedup();
+            let dialects = sorted(results.columns.iter().map(|column| column.dialect));
             writeln!(out)?;
             if !self.only_reference || self.engines.len() > 1 {
                 writeln!(out, "{RULES}")?;

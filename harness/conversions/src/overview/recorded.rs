@@ -50,8 +50,8 @@ impl RecordedAnswers {
 pub(super) struct RecordedColumn<'r> {
     recording: &'r Recording,
     /// The index of the dialect among those of the table.
-    dialect: usize,
-    answers: RecordedAnswers,
+    pub(super) dialect: usize,
+    pub(super) answers: RecordedAnswers,
 }
 
 impl<'r> RecordedColumn<'r> {
@@ -74,11 +74,6 @@ impl<'r> RecordedColumn<'r> {
             spoken.map(column).collect::<Vec<_>>()
         };
         recordings.iter().flat_map(of_recording).collect()
-    }
-
-    /// Returns the index of the dialect among those of the table.
-    pub(super) const fn dialect(&self) -> usize {
-        self.dialect
     }
 
     /// Adds the answer to a question about two words, of which the sources state `word`.
@@ -110,11 +105,6 @@ impl<'r> RecordedColumn<'r> {
             Some((question, answer))
         });
         self.answers.answers.extend(answers);
-    }
-
-    /// Returns the answers.
-    pub(super) fn into_answers(self) -> RecordedAnswers {
-        self.answers
     }
 }
 

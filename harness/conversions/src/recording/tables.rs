@@ -6,7 +6,6 @@ use crate::implicit::MatrixAnswer;
 use crate::program::ConversionProgram;
 use crate::session::RefusalKind;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::slice;
 use stickler_exact::signature_of;
 use stickler_types::{DialectName, ElementaryType, Question, Value};
@@ -150,10 +149,9 @@ impl Recording {
         );
         let targets = observe.is_some_and(|ty| ty.starts_with('{'));
         let target = if targets { "\"target\", " } else { "" };
-        let _ = writeln!(
-            text,
-            "columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = ["
-        );
+        text.push_str(&format!(
+            "columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = [\n"
+        ));
         for (id, program, recorded) in rows {
             let (declared, done) = (one_line(&program.declarations), one_line(&program.statements));
             let target = match targets {
@@ -161,23 +159,21 @@ impl Recording {
                 false => String::new(),
             };
             let cells = [id, &declared, &done].map(|cell| quoted(cell)).join(", ");
-            let _ = writeln!(text, "    [{cells}, {target}{}],", quoted(recorded));
+            text.push_str(&format!("    [{cells}, {target}{}],\n", quoted(recorded)));
         }
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "]\nasks = \"{{id}}\"\n\n[[probe]]\nname    = {}\n",
             quoted(probe)
-        );
+        ));
         if let Some((ty, (_, program, _))) = observe.zip(rows.first()) {
             let name = program.observed.first().map_or("", String::as_str);
-            let _ = writeln!(text, "observe = \"{name} : {ty}\"");
+            text.push_str(&format!("observe = \"{name} : {ty}\"\n"));
         }
         let mark = code.map(|code| format!(" (*! error {code} if recorded = no *)"));
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "expect  = \"{{recorded}}\"\nsource  = \"\"\"\nPROGRAM main\nVAR\n    {{declared}}\nEND_VAR\n    {{done}}{}\nEND_PROGRAM\n\"\"\"\n",
             mark.unwrap_or_default()
-        );
+        ));
         text
     }
 }

@@ -79,7 +79,6 @@ impl DescribedEngine {
     }
 
     /// Returns the programs of the commands that are on this machine.
-    #[must_use]
     pub fn programs(description: &Description, here: &Path) -> Vec<FoundDependency> {
         let commands = description.commands().into_iter();
         commands

@@ -11,7 +11,6 @@ use super::values::{self, ObservedKind};
 use crate::{Outcome, RunRequest};
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::fmt::Write;
 use stickler_types::Fault;
 
 /// A translated program as a driver runs it.
@@ -39,17 +38,16 @@ impl DrivenProgram<'_> {
     fn function(&self, head: &str) -> String {
         let mut text = format!("{head} {{\n");
         for statement in &self.start {
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "    {statement}");
+            text.push_str(&format!("    {statement}\n"));
         }
         let between = self.after.iter().any(|(scan, _)| scan.is_some());
         if self.request.scans == 1 && self.before.is_empty() && !between {
-            let _ = writeln!(text, "    {}", self.scan);
+            text.push_str(&format!("    {}\n", self.scan));
         } else {
             self.write_loop(&mut text);
         }
         for (_, statement) in self.after.iter().filter(|(scan, _)| scan.is_none()) {
-            let _ = writeln!(text, "    {statement}");
+            text.push_str(&format!("    {statement}\n"));
         }
         text.push_str("    return 0;\n}\n");
         text
@@ -57,9 +55,11 @@ impl DrivenProgram<'_> {
 
     fn write_loop(&self, text: &mut String) {
         let scans = self.request.scans;
-        let _ = writeln!(text, "    for (unsigned scan = 1; scan <= {scans}; scan++) {{");
+        text.push_str(&format!(
+            "    for (unsigned scan = 1; scan <= {scans}; scan++) {{\n"
+        ));
         write_by_scan(text, self.before.iter().map(|(scan, one)| (Some(*scan), one)));
-        let _ = writeln!(text, "        {}", self.scan);
+        text.push_str(&format!("        {}\n", self.scan));
         write_by_scan(text, self.after.iter().map(|(scan, one)| (*scan, one)));
         text.push_str("    }\n");
     }
@@ -85,8 +85,7 @@ fn write_by_scan<'s>(text: &mut String, statements: impl Iterator<Item = (Option
     }
     text.push_str("        switch (scan) {\n");
     for (scan, statements) in by_scan {
-        // Writing into a String does not fail.
-        let _ = writeln!(text, "        case {scan}:{statements} break;");
+        text.push_str(&format!("        case {scan}:{statements} break;\n"));
     }
     text.push_str("        }\n");
 }
@@ -138,16 +137,15 @@ impl Driver<'_> {
                 }
                 None => String::new(),
             };
-            let _ = writeln!(cases, "    case {number}: return {scope}run_{number}();");
+            cases.push_str(&format!("    case {number}: return {scope}run_{number}();\n"));
         }
         let mut text = format!("{}{}{programs}", self.head, values::functions(&programs));
         let count = self.programs.len();
         if count > 1 {
-            let _ = write!(
-                text,
+            text.push_str(&format!(
                 "static int run(int number) {{\n    switch (number) {{\n{cases}    }}\n    return 1;\n}}\n\
                  #define PROGRAMS {count}\n{SEVERAL}"
-            );
+            ));
         }
         DriverText {
             file: self.language.driver,

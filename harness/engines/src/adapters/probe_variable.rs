@@ -3,7 +3,6 @@
 use super::source::MainProgram;
 use crate::{Observation, Outcome, RunRequest};
 use std::collections::BTreeSet;
-use std::fmt::Write;
 use stickler_types::ElementaryType;
 
 /// A variable that is added to a program and takes the value of an expression at the end of its main program.
@@ -79,13 +78,12 @@ pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVaria
     text.push_str(" VAR");
     let mut declared = BTreeSet::new();
     for probe in probes.iter().filter(|probe| declared.insert(&probe.name)) {
-        // Writing into a String does not fail.
-        let _ = write!(text, " {} : {};", probe.name, probe.type_name);
+        text.push_str(&format!(" {} : {};", probe.name, probe.type_name));
     }
     text.push_str(" END_VAR");
     text.push_str(&source[body..main.inside.end]);
     for probe in probes.iter().filter(|probe| !probe.expression.is_empty()) {
-        let _ = write!(text, "{} := {}; ", probe.name, probe.expression);
+        text.push_str(&format!("{} := {}; ", probe.name, probe.expression));
     }
     text.push_str(&source[main.inside.end..]);
     text

@@ -7,7 +7,6 @@ use super::locate::unsupported;
 use super::source::{MainProgram, main_program, observed_scans};
 use crate::{Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
 /// Returns the program of a request with what is set in it; `None` where nothing is, or there is no main program.
@@ -18,9 +17,8 @@ pub(super) fn with_settings(request: &RunRequest<'_>) -> Option<String> {
     let main = main_program(request)?;
     let mut by_scan: BTreeMap<u32, String> = BTreeMap::new();
     for setting in request.set {
-        // Writing into a String does not fail.
         let statements = by_scan.entry(setting.before).or_default();
-        let _ = write!(statements, " {} := {};", setting.name, literal(&setting.value));
+        statements.push_str(&format!(" {} := {};", setting.name, literal(&setting.value)));
     }
     let program = (request.source, &main);
     Some(with_cases(program, "stickler_scan", "", main.body, &by_scan))
@@ -79,10 +77,9 @@ pub(super) fn copied_by_scan(request: &RunRequest<'_>) -> Option<CopiedByScan> {
     for (number, asked) in request.observe.iter().enumerate() {
         ElementaryType::from_name(&asked.type_name)?;
         let copy = format!("stickler_copy_{number}");
-        // Writing into a String does not fail.
-        let _ = write!(declared, " {copy} : {};", asked.type_name);
+        declared.push_str(&format!(" {copy} : {};", asked.type_name));
         let statements = by_scan.entry(asked.after.unwrap_or(request.scans)).or_default();
-        let _ = write!(statements, " {copy} := {};", asked.name);
+        statements.push_str(&format!(" {copy} := {};", asked.name));
         observe.push(Observation::last(&copy, &asked.type_name));
     }
     let program = (request.source, &main);

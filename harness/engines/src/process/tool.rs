@@ -82,15 +82,8 @@ impl Ended {
 
     /// Returns the outcome that says how the program ended, with its last lines of output.
     pub(crate) fn crashed(&self) -> Outcome {
-        let words = match last_lines(&self.stderr) {
-            words if words.is_empty() => last_lines(&self.stdout),
-            words => words,
-        };
-        let reason = match words.as_str() {
-            "" => format!("it ended ({})", self.status),
-            words => format!("it ended ({}); its last words: {words}", self.status),
-        };
-        Outcome::Crashed { reason }
+        let reason = format!("it ended ({})", self.status);
+        with_last_words(Outcome::crashed(reason), &self.stdout, &self.stderr)
     }
 }
 
@@ -149,7 +142,10 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     let mut usage = Watch::new();
     let status = watch(&mut group, &mut output, &mut usage, deadline, limits)
         .and_then(|()| end(&mut group, &mut usage, deadline, limits))
-        .map_err(|outcome| with_last_words(outcome, &output))?;
+        .map_err(|outcome| {
+            let (stdout, stderr) = output.texts();
+            with_last_words(outcome, &stdout, &stderr)
+        })?;
     let (stdout, stderr) = output.texts();
     Ok(Ended {
         status,
@@ -189,10 +185,11 @@ fn watch(
     Ok(())
 }
 
-/// Adds the last lines that the process wrote to a crash.
-fn with_last_words(outcome: Outcome, output: &Streams) -> Outcome {
-    match (outcome, output.last_words()) {
-        (Outcome::Crashed { reason }, words) if !words.is_empty() => {
+/// Adds the last lines of stderr to a crash, or those of stdout where stderr is empty.
+fn with_last_words(outcome: Outcome, stdout: &str, stderr: &str) -> Outcome {
+    let mut texts = [stderr, stdout].map(last_lines).into_iter();
+    match (outcome, texts.find(|words| !words.is_empty())) {
+        (Outcome::Crashed { reason }, Some(words)) => {
             Outcome::crashed(format!("{reason}; its last words: {words}"))
         }
         (outcome, _) => outcome,

@@ -45,8 +45,10 @@ pub(super) fn program<T>(
 pub(super) fn run<T>(request: &RunMessage, ask: impl FnOnce(&RunRequest<'_>) -> T) -> Result<T, String> {
     let dialect = dialect(&request.dialect)?;
     let scans = request.scans;
-    let clock = each(&request.clock, |step| clock_setting(step, scans))?;
-    let set = each(&request.set, |message| setting(message, scans))?;
+    let clock = request.clock.iter().map(|step| clock_setting(step, scans));
+    let clock: Vec<ClockSetting> = clock.collect::<Result<_, _>>()?;
+    let set = request.set.iter().map(|message| setting(message, scans));
+    let set: Vec<Setting> = set.collect::<Result<_, _>>()?;
     for asked in &request.observe {
         if let Some(after) = asked.after {
             within(after, scans, || format!("observe {}", asked.name))?;
@@ -82,11 +84,6 @@ fn setting(message: &SetMessage, scans: u32) -> Result<Setting, String> {
         name: name.as_str().into(),
         value,
     })
-}
-
-/// Reads each message of a list, or gives the error of the first that cannot be read.
-fn each<M, T>(messages: &[M], read: impl Fn(&M) -> Result<T, String>) -> Result<Vec<T>, String> {
-    messages.iter().map(read).collect()
 }
 
 fn within(scan: u32, scans: u32, what: impl FnOnce() -> String) -> Result<(), String> {

@@ -113,7 +113,6 @@ impl Reply {
     }
 
     /// Returns the `id` of the request that the reply answers; `None` where the reply repeats none.
-    #[must_use]
     pub fn id(&self) -> Option<u64> {
         match self {
             Reply::Hello(_) => None,
@@ -126,7 +125,6 @@ impl Reply {
     }
 
     /// Returns the `type` of the reply on the wire, such as `accepted`.
-    #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
             Reply::Hello(_) => "hello",
@@ -142,7 +140,6 @@ impl Reply {
 
     /// Returns the reply that reports an outcome. The protocol has no words for a crash or a time limit, since a dead engine
     /// cannot speak: where an engine survives one, the reply is an error.
-    #[must_use]
     pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
         match outcome {
             Outcome::Accepted { warnings } => Reply::Accepted {

@@ -7,7 +7,6 @@
 //! Requests: `check`, `render`, `run: x INT, a[1]@2 DINT`, `run 3 scans before 2 clock TIME#1s before 3 in = INT#5: x INT`;
 //! `in matiec` names another dialect than the first of the engine. Rows that begin with `packed` instead of `run` are run together.
 
-use std::fmt::Write;
 use stickler_engines::{
     ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Session, Setting,
 };
@@ -174,7 +173,7 @@ fn with_diagnostics(mut line: String, diagnostics: &[Diagnostic]) -> String {
             format!(" {begin}{end}")
         };
         let severity = reported.severity.as_str();
-        let _ = write!(line, "; {severity}{code}{place}: {}", reported.message);
+        line.push_str(&format!("; {severity}{code}{place}: {}", reported.message));
     }
     line
 }

@@ -9,7 +9,6 @@ use stickler_types::{ConversionChoices, DialectName, Value};
 /// page does not speak of the call, or there is no such page.
 ///
 /// Takes what [`crate::expected`] takes. What the page says decides no case.
-#[must_use]
 pub fn stated_by_vendor(
     signature: &Signature,
     operands: &[Value],

@@ -13,7 +13,6 @@ pub struct Narrow {
 
 impl Narrow {
     /// Returns the reduction for an integer, a bit string, BOOL or a character.
-    #[must_use]
     pub const fn to(ty: ElementaryType) -> Narrow {
         // A text has no bits, and never comes here.
         let bits = if ty.bits() == 0 { 1 } else { ty.bits() };
@@ -25,7 +24,6 @@ impl Narrow {
 
     /// Returns the raw form.
     #[inline(always)]
-    #[must_use]
     pub const fn of(self, bits: u64) -> u64 {
         // Flipping the sign's bit adds its weight or takes it away; taking it away again leaves -2^(n-1) … 2^(n-1)-1.
         ((bits & self.mask) ^ self.sign).wrapping_sub(self.sign)

@@ -33,7 +33,6 @@ pub struct Parts {
 impl Parts {
     /// Decodes the raw form of a REAL.
     #[inline(always)]
-    #[must_use]
     pub const fn of(raw: u64) -> Parts {
         let biased = ((raw >> 23) & 0xFF) as i32;
         let fraction = raw & 0x7F_FFFF;
@@ -50,7 +49,6 @@ impl Parts {
 
     /// Returns the magnitude multiplied by a factor below 2^30 and rounded to an integer, modulo 2^64.
     #[inline(always)]
-    #[must_use]
     pub const fn magnitude(self, factor: u64, rounding: Rounding) -> u64 {
         let product = self.significand * factor;
         if self.exponent >= 0 {
@@ -76,7 +74,6 @@ impl Parts {
 
     /// Returns a magnitude with the sign of the number, modulo 2^64.
     #[inline(always)]
-    #[must_use]
     pub const fn signed(self, magnitude: u64) -> u64 {
         if self.negative {
             magnitude.wrapping_neg()

@@ -222,7 +222,6 @@ fn rounded(decimal: Decimal<'_>, to: ElementaryType) -> u64 {
 
 /// Returns the raw form of the REAL or LREAL nearest to a decimal number or its negative, ties to even, rounded once: to the number that the
 /// digits spell, times ten to the power of the exponent. Each digit is from 0 to 9. What is beyond the largest number becomes infinity.
-#[must_use]
 pub fn nearest_decimal(negative: bool, digits: &[u8], exponent: i64, to: ElementaryType) -> u64 {
     // Beyond this power of ten all is infinity or zero.
     const FAR: i64 = 400;

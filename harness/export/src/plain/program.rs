@@ -2,7 +2,6 @@
 //! variables that become TRUE where it has the values that it must have.
 
 use crate::page::{literal, shown};
-use std::fmt::Write;
 use stickler_run::{Fact, breaks_reading, expected_facts};
 use stickler_suite::{Acceptance, Case, ExpectedValue, Sources};
 use stickler_syntax::token::TokenKind;
@@ -48,8 +47,7 @@ fn head(case: &Case, sources: &Sources, (added, lost): (u32, u32)) -> String {
         case.title, case.id, case.dialect, case.basis
     );
     if let Some((source, section)) = sources.of(&case.basis) {
-        // Writing into a String does not fail.
-        let _ = write!(head, ", {}", source.address_of(section));
+        head.push_str(&format!(", {}", source.address_of(section)));
         if !source.speaks_for(section, case.dialect) {
             head.push_str("\n            (the document of another system, which binds none of this dialect)");
         }
@@ -66,10 +64,10 @@ fn head(case: &Case, sources: &Sources, (added, lost): (u32, u32)) -> String {
     let facts = Fact::text(&facts);
     for (number, fact) in facts.lines().enumerate() {
         let word = if number == 0 { "expects" } else { "" };
-        let _ = write!(head, "\n   {word:<8} {fact}");
+        head.push_str(&format!("\n   {word:<8} {fact}"));
     }
     if case.scans > 1 {
-        let _ = write!(head, "\n   scans    {}", case.scans);
+        head.push_str(&format!("\n   scans    {}", case.scans));
     }
     let head = head.replacen("(* ", "", 1);
     format!("(* {} *)\n", shown(&head))
@@ -89,7 +87,7 @@ fn marked(case: &Case) -> String {
     for (number, line) in (1..).zip(case.source.lines()).skip(skipped) {
         text.push_str(line);
         for one in diagnostics.iter().filter(|one| one.line == number && is_readable) {
-            let _ = write!(text, " (* error {} *)", one.code.as_str());
+            text.push_str(&format!(" (* error {} *)", one.code.as_str()));
         }
         text.push('\n');
     }
@@ -117,31 +115,30 @@ fn checked(case: &Case) -> Result<String, &'static str> {
     let mut declared = String::from("VAR\n");
     let mut after = String::new();
     if counts {
-        let _ = writeln!(declared, "    {CHECK}scan : DINT;");
+        declared.push_str(&format!("    {CHECK}scan : DINT;\n"));
     }
     for (number, value) in (1..).zip(&case.expectation.values) {
         let Some(condition) = condition(value) else {
             return Err("they expect -0.0, which no comparison tells from 0.0");
         };
-        let _ = writeln!(declared, "    {CHECK}{number} : BOOL;");
+        declared.push_str(&format!("    {CHECK}{number} : BOOL;\n"));
         let check = format!("{CHECK}{number} := {condition};");
-        let _ = match value.after {
-            Some(scan) => writeln!(after, "    IF {CHECK}scan = {scan} THEN {check} END_IF;"),
-            None => writeln!(after, "    {check}"),
-        };
+        after.push_str(&match value.after {
+            Some(scan) => format!("    IF {CHECK}scan = {scan} THEN {check} END_IF;\n"),
+            None => format!("    {check}\n"),
+        });
     }
     declared.push_str("END_VAR\n");
     let mut before = String::new();
     if counts {
-        let _ = writeln!(before, "    {CHECK}scan := {CHECK}scan + 1;");
+        before.push_str(&format!("    {CHECK}scan := {CHECK}scan + 1;\n"));
     }
     for setting in case.set.iter() {
         let value = literal(&setting.value).ok_or("a value that is set has no literal")?;
-        let _ = writeln!(
-            before,
-            "    IF {CHECK}scan = {} THEN {} := {value}; END_IF;",
+        before.push_str(&format!(
+            "    IF {CHECK}scan = {} THEN {} := {value}; END_IF;\n",
             setting.before, setting.name
-        );
+        ));
     }
     let (statements, end) = (first_statement(main), main.end.start as usize);
     let start = text.len() - text.trim_start().len();

@@ -5,7 +5,6 @@ use super::explained::{ExplainedSaboteurs, Explanation};
 use super::measure::Tally;
 use super::saboteur::{BrokenPlace, Saboteur};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 /// A saboteur and what came of it.
 pub struct Judged {
@@ -107,10 +106,10 @@ impl Field {
         let mut text = self.noticed.to_string();
         for (number, mark) in [(self.recorded, 'o'), (self.explained, 'e')] {
             if number > 0 {
-                let _ = write!(text, "+{number}{mark}");
+                text.push_str(&format!("+{number}{mark}"));
             }
         }
-        let _ = write!(text, "/{}", self.all);
+        text.push_str(&format!("/{}", self.all));
         text
     }
 }
@@ -140,11 +139,11 @@ fn spelled(fewest: Option<usize>) -> String {
 }
 
 fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
-    let _ = write!(table, "{name:<48}");
+    table.push_str(&format!("{name:<48}"));
     for (field, width) in fields.iter().zip([20, 20, 20, 24, 11]) {
-        let _ = write!(table, "{field:>width$}");
+        table.push_str(&format!("{field:>width$}"));
     }
-    let _ = writeln!(table, "{fewest:>14}");
+    table.push_str(&format!("{fewest:>14}\n"));
 }
 
 /// Returns the table of places: how many rules are noticed there, and the fewest cases that notice one.
@@ -156,12 +155,11 @@ pub fn by_place(judged: &[Judged]) -> String {
     }
     let mut table = format!("{:<48}{:>16}{:>14}\n", "place", "rules", "fewest cases");
     for (place, field) in rows {
-        let _ = writeln!(
-            table,
-            "{place:<48}{:>16}{:>14}",
+        table.push_str(&format!(
+            "{place:<48}{:>16}{:>14}\n",
             field.text(),
             spelled(field.fewest)
-        );
+        ));
     }
     table
 }

@@ -16,7 +16,6 @@ use stickler_syntax::visitor::{Part, Place};
 const PLAIN_RESULT: &str = "INT";
 
 /// Lists changes that drop program organization units, configurations and sections of global variables.
-#[must_use]
 pub fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
     let spans = view.unit.declarations.iter().filter_map(Declaration::span);
     view.only_allowed(spans.map(Edits::removing).collect())
@@ -172,7 +171,6 @@ pub(crate) fn plain_results(view: &TextView<'_>) -> Vec<Edits> {
 }
 
 /// Lists changes that drop unused declarations of variables, fields and types.
-#[must_use]
 pub fn drop_unused(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
     for section in view.sections() {

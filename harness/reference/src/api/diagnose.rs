@@ -68,14 +68,12 @@ impl Checked {
 
 /// Checks a source text: gives all its errors and warnings, sorted by line, column and code; no error where the dialect accepts
 /// it. A text without a PROGRAM is acceptable.
-#[must_use]
 pub fn check(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
     let checked = Checked::new(source, Dialect::of(dialect));
     locate(checked.diagnostics, source, &checked.lines)
 }
 
 /// Checks a source text, as [`check`] does, and gives its errors alone: nothing where the dialect accepts it.
-#[must_use]
 pub fn errors(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
     let mut diagnostics = check(source, dialect);
     diagnostics.retain(Diagnostic::is_error);
@@ -84,7 +82,6 @@ pub fn errors(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
 
 /// Checks a source text that may be no text: gives it as it was read (see [`decode`]), which is
 /// what the positions refer to, and everything that is wrong with it.
-#[must_use]
 pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnostic>) {
     let (text, mut diagnostics) = decode(bytes);
     let checked = Checked::new(&text, Dialect::of(dialect));
@@ -95,7 +92,6 @@ pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnosti
 
 /// The names of all elementary values that [`run`](super::run()) can observe in a program, as paths in the order of
 /// their declarations, at most `most` of them; none where the text is not acceptable or has nothing to run.
-#[must_use]
 pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String> {
     let checked = Checked::new(source, Dialect::of(dialect));
     let rejected = checked.is_rejected();

@@ -9,7 +9,6 @@ use stickler_types::Diagnostic;
 
 /// Returns the diagnostics of a text as a person reads them: without those that another one suppresses, with lines and columns,
 /// sorted by line, column and code, and none twice.
-#[must_use]
 pub fn locate(mut diagnostics: Vec<SpannedDiagnostic>, text: &str, lines: &LineIndex) -> Vec<Diagnostic> {
     suppress(&mut diagnostics);
     let mut located: Vec<_> = diagnostics

@@ -5,7 +5,6 @@ use stickler_types::ElementaryType;
 
 /// The number that the digits spell, modulo 2^n of the target.
 #[inline]
-#[must_use]
 pub const fn number(digits: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     let number = decode(digits, from);
     // Eight digits spell at most 166 666 665, which every type of 32 bits holds as it is.
@@ -21,7 +20,6 @@ pub const fn number(digits: u64, from: ElementaryType, to: ElementaryType) -> u6
 ///
 /// A sixteenth of the raw form at a time would do; here neighbours are joined two by two, all at once.
 #[inline]
-#[must_use]
 const fn decode(raw: u64, from: ElementaryType) -> u64 {
     if from.bits() <= 32 {
         eight_joined(raw)
@@ -41,7 +39,6 @@ const fn eight_joined(raw: u64) -> u64 {
 /// The digits of a number, as many as `to` holds: the number modulo 10^n, so that what does not fit loses its
 /// leading digits, and -1 becomes 99, as two's complement has it in its own base. No source says what happens.
 #[inline]
-#[must_use]
 pub fn encode(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     // Spelled out so that every division is by a constant.
     match to {

@@ -25,7 +25,6 @@ pub enum Parameter {
 
 impl Parameter {
     /// The type that a message about another one names.
-    #[must_use]
     pub const fn expected(self) -> ElementaryType {
         match self {
             Parameter::Exactly(ty) | Parameter::AnyOf { default: ty, .. } => ty,
@@ -114,7 +113,6 @@ static SOURCES: LazyLock<SourceTypes> = LazyLock::new(|| {
 
 impl ConversionFunction {
     /// Returns whether the function takes an argument of exactly this type.
-    #[must_use]
     pub fn accepts(&self, argument: ElementaryType) -> bool {
         match self.parameter {
             Parameter::Exactly(ty) => ty == argument,
@@ -123,7 +121,6 @@ impl ConversionFunction {
     }
 
     /// The type of the result for an argument's type and, where the call has one, its target's type.
-    #[must_use]
     pub fn result_type(&self, argument: ElementaryType, target: Option<ElementaryType>) -> ElementaryType {
         match self.result {
             ResultType::Exactly(ty) => ty,
@@ -148,7 +145,6 @@ impl ConversionFunction {
 
     /// The conversion that a call performs. Takes the argument's type, which [`Self::accepts`] must allow, and
     /// the result's type as [`Self::result_type`] gives it; for other types it keeps the raw form.
-    #[must_use]
     pub fn conversion(&self, argument: ElementaryType, result: ElementaryType) -> Conversion {
         let rule = match self.meaning {
             RuleLookup::Pair(choices) => ConversionRule::between(argument, result, &choices),
@@ -183,7 +179,6 @@ impl ConversionFunction {
 /// Basis: forgeiec-conversion-functions: The naming pattern; for the overloaded and BCD names of the third
 /// edition iec-61131-3: data type conversion functions; for ROUND and its kin, which the ForgeIEC page says
 /// do not exist, no source: they are open elsewhere, and round to even.
-#[must_use]
 pub fn function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     // No name of the catalogue is longer; a hostile one is not worth upper-casing.
     const MAX_NAME_LEN: usize = "LDATE_AND_TIME_TO_LTIME_OF_DAY".len();
@@ -337,7 +332,6 @@ fn one_of(types: &[ElementaryType], name: &str) -> Option<ElementaryType> {
 
 /// The name of the function that converts one type to another, for suggestions (`INT_TO_DINT`); `None` where
 /// the dialect has none.
-#[must_use]
 pub fn conversion_function_name(
     from: ElementaryType,
     to: ElementaryType,

@@ -43,7 +43,6 @@ const fn joining(date: ElementaryType, time: ElementaryType, result: ElementaryT
 /// | `CONCAT_DATE_TOD` | DATE, TOD | DT |
 /// | `CONCAT_DATE_LTOD` | DATE, LTOD | LDT |
 /// | `CONCAT_LDATE_LTOD` | LDATE, LTOD | LDT |
-#[must_use]
 pub fn concatenation(name: &str, dialect: &Dialect) -> Option<Concatenation> {
     CONCATENATIONS
         .into_iter()
@@ -57,7 +56,6 @@ impl Concatenation {
     /// nanoseconds, modulo 2^64. Only a time of day on one of the last days that 64 bits reach, or on the first,
     /// makes it wrap.
     #[inline]
-    #[must_use]
     pub const fn apply_two(self, date: u64, time: u64) -> u64 {
         date.wrapping_add(time)
     }

@@ -7,7 +7,6 @@ use stickler_types::{Code, ElementaryType, Family, MatrixWord};
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
 /// for equal types, or `None` where an explicit call is needed.
-#[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Conversion> {
     if from == to {
         return Some(Conversion::identity(from));
@@ -56,7 +55,6 @@ pub(crate) fn of_operand(from: ElementaryType, to: ElementaryType, dialect: &Dia
 /// convert. A definition decides of a pair whether it is warned of, and its base with which code.
 ///
 /// Basis: that of each [`ImplicitWarnings`].
-#[must_use]
 pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
     let (code, is_warned) = match dialect.implicit_warnings {
         ImplicitWarnings::None | ImplicitWarnings::LostValues => (lost_value(from, to), may_lose(from, to)),

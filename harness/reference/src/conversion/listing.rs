@@ -18,13 +18,11 @@ static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
 
 /// Every name, each once, always in the same order, in upper case and with the types' short names, whatever the
 /// dialect.
-#[must_use]
 pub fn catalogue_names() -> &'static [String] {
     &NAMES
 }
 
 /// The names that a dialect has.
-#[must_use]
 pub fn functions(dialect: &Dialect) -> Vec<&'static str> {
     let known = |name: &str| function(name, dialect).is_some() || concatenation(name, dialect).is_some();
     let names = catalogue_names().iter().map(String::as_str);

@@ -55,7 +55,6 @@ fn nanoseconds(raw: u64, from: ElementaryType) -> i128 {
 /// Converts between types that count their own units: what is finer is dropped, and the count taken modulo 2^n.
 ///
 /// A TOD gives LTIME its count, as if the milliseconds were nanoseconds.
-#[must_use]
 pub fn between_counts(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     let units = MomentUnits::Counts;
     if (from, to) == (ElementaryType::Tod, ElementaryType::Ltime) {
@@ -71,7 +70,6 @@ pub fn between_counts(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
 
 /// The number of whole units, the fraction dropped.
 #[inline]
-#[must_use]
 pub fn to_units(raw: u64, from: ElementaryType, units: MomentUnits) -> u64 {
     // A date is a whole number of days, as its origin is, so that dividing first is exact and cannot overflow.
     let unit = unit(from, units);
@@ -83,7 +81,6 @@ pub fn to_units(raw: u64, from: ElementaryType, units: MomentUnits) -> u64 {
 }
 
 /// The number of units as REAL or LREAL, rounded once.
-#[must_use]
 pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     if units == MomentUnits::Counts {
         return real::from_integer(to_units(raw, from, units), counter(from), to);
@@ -96,7 +93,6 @@ pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: 
 /// Returns so many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
 /// product modulo 2^64 is the same. Inlined, so that a loop over operands chooses the unit once.
 #[inline(always)]
-#[must_use]
 pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
     match (units, to) {
         // Without a sign.
@@ -119,7 +115,6 @@ pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
 /// Returns so many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
 /// infinities give 0. Inlined as [`from_units`] is.
 #[inline(always)]
-#[must_use]
 pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     let value = real::decode(raw, from);
     let origin = origin(to, units);
@@ -162,7 +157,6 @@ fn whole(nanoseconds: i64, to: ElementaryType) -> u64 {
 
 /// The day on which a moment lies. The first moments that 64 bits reach belong to a day that began before
 /// them; they give the day after it, the first that can be written.
-#[must_use]
 pub fn day(raw: u64) -> u64 {
     let moment = raw.cast_signed();
     let days = moment.div_euclid(DAY);
@@ -174,7 +168,6 @@ pub fn day(raw: u64) -> u64 {
 
 /// The time since midnight of a moment.
 #[inline]
-#[must_use]
 pub const fn time_of_day(raw: u64) -> u64 {
     raw.cast_signed().rem_euclid(DAY).cast_unsigned()
 }

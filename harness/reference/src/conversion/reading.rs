@@ -12,7 +12,6 @@ use stickler_types::{ElementaryType, Family, LiteralError, TextReading, Value, l
 /// Reads a text, in code units, as a value of the type; gives the raw form of zero where it cannot, or `None` by [`TextReading::LooseDigits`].
 ///
 /// Takes time in proportion to the length of the text.
-#[must_use]
 pub fn spelled(units: &[u16], to: ElementaryType, reading: TextReading) -> Option<u64> {
     // Every literal is ASCII, so another character spoils a text that is read as a whole.
     let letters = units

@@ -4,7 +4,6 @@ use stickler_types::{ElementaryType, Rounding};
 
 /// The number that a REAL or LREAL raw form stands for; exact, since LREAL holds every REAL.
 #[inline]
-#[must_use]
 pub fn decode(raw: u64, ty: ElementaryType) -> f64 {
     if ty == ElementaryType::Real {
         f64::from(single(raw))
@@ -15,7 +14,6 @@ pub fn decode(raw: u64, ty: ElementaryType) -> f64 {
 
 /// The REAL of a raw form.
 #[inline]
-#[must_use]
 pub const fn single(raw: u64) -> f32 {
     // A REAL's raw form is zero-extended, so nothing is lost.
     f32::from_bits(raw as u32)
@@ -23,14 +21,12 @@ pub const fn single(raw: u64) -> f32 {
 
 /// The raw form of a REAL.
 #[inline]
-#[must_use]
 pub fn of_single(value: f32) -> u64 {
     value.to_bits().into()
 }
 
 /// Returns whether a raw form stands for something other than zero; only for reals is that not whether it is 0.
 #[inline]
-#[must_use]
 pub fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
     if ty.is_real() {
         decode(raw, ty) != 0.0
@@ -42,7 +38,6 @@ pub fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {
 /// The REAL or LREAL next to the value of an integer's raw form, ties to even. REAL is rounded from the integer
 /// itself, not by way of LREAL, which would round twice.
 #[inline]
-#[must_use]
 pub fn from_integer(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     // The raw form of a narrower unsigned integer is no negative number either, and signed ones convert quicker.
     match (from.is_signed() || from.bits() < 64, to == ElementaryType::Real) {
@@ -55,14 +50,12 @@ pub fn from_integer(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
 
 /// REAL to LREAL or back.
 #[inline]
-#[must_use]
 pub fn between(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
     encode(decode(raw, from), to)
 }
 
 /// The raw form of a number as REAL (rounded to nearest, ties to even) or LREAL.
 #[inline]
-#[must_use]
 pub fn encode(value: f64, to: ElementaryType) -> u64 {
     if to == ElementaryType::Real {
         of_single(value as f32)
@@ -73,7 +66,6 @@ pub fn encode(value: f64, to: ElementaryType) -> u64 {
 
 /// The number rounded to an integer, modulo 2^64; NaN and the infinities give 0.
 #[inline]
-#[must_use]
 pub fn to_integer(value: f64, rounding: Rounding) -> u64 {
     if value.abs() < 9.2e18 {
         rounded(value, rounding).cast_unsigned()
@@ -118,7 +110,6 @@ pub fn to_whole(value: f64, rounding: Rounding) -> f64 {
 /// The number rounded to an integer, or the limit of the target that lies next to it, the infinities included;
 /// NaN gives 0. The target is an integer or a bit string.
 #[inline]
-#[must_use]
 pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 {
     let Some((low, high)) = to.integer_range() else {
         return 0;
@@ -137,7 +128,6 @@ pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 
 /// The number rounded to an integer of 64 bits, as [`stickler_types::OutOfRange::Indefinite64`] describes it; the low bits are
 /// those of the target.
 #[inline]
-#[must_use]
 pub fn to_integer_of_64_bits(value: f64, rounding: Rounding, to: ElementaryType) -> u64 {
     const LIMIT: f64 = 18_446_744_073_709_551_616.0;
     let integer = match checked(value, rounding) {
@@ -156,7 +146,6 @@ pub fn to_integer_of_64_bits(value: f64, rounding: Rounding, to: ElementaryType)
 
 /// The number rounded to an integer of 32 bits, as [`stickler_types::OutOfRange::Indefinite32`] describes it.
 #[inline]
-#[must_use]
 pub fn to_integer_of_32_bits(value: f64, rounding: Rounding) -> u64 {
     let integer = checked(value, rounding).filter(|integer| i32::try_from(*integer).is_ok());
     integer.unwrap_or(i32::MIN.into()).cast_unsigned()
@@ -185,7 +174,6 @@ fn wrapped(value: f64) -> u64 {
 
 /// A finite number's magnitude as `significand * 2^exponent`.
 #[inline]
-#[must_use]
 pub const fn parts(value: f64) -> (u64, i32) {
     let bits = value.to_bits();
     let fraction = bits & ((1 << 52) - 1);
@@ -212,7 +200,6 @@ pub struct Exact {
 impl Exact {
     /// `numerator / denominator * 2^exponent`, with at least 63 leading bits known; the denominator, which
     /// must not be 0, has less than 64.
-    #[must_use]
     pub fn quotient(negative: bool, numerator: u128, denominator: u64, exponent: i32) -> Exact {
         let shift = numerator.leading_zeros().min(127);
         let numerator = numerator << shift;
@@ -227,7 +214,6 @@ impl Exact {
 
     /// Rounded to the nearest integer, ties to even, modulo 2^64. Where the rest is not known and the exponent
     /// is positive the low bits are lost; callers keep out of there.
-    #[must_use]
     pub fn to_integer(self) -> u64 {
         let bits = if self.exponent >= 0 {
             self.magnitude
@@ -255,7 +241,6 @@ impl Exact {
 
     /// Rounded to the nearest REAL or LREAL, ties to even; the value must lie well within their exponents and
     /// be known to 63 bits, or exactly.
-    #[must_use]
     pub fn to_real(self, ty: ElementaryType) -> u64 {
         // The last bit lies far below the rounding position, so it can stand for all that comes after it.
         let magnitude = self.magnitude | u128::from(self.inexact);

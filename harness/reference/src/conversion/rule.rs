@@ -99,7 +99,6 @@ pub enum ConversionRule {
 impl ConversionRule {
     /// The meaning of a conversion from one type to another under the choices of a dialect; `None` where the
     /// pair has none, whatever is chosen.
-    #[must_use]
     pub const fn between(
         from: ElementaryType,
         to: ElementaryType,
@@ -232,7 +231,6 @@ macro_rules! one_loop_for_each_rule {
 
 impl Conversion {
     /// The conversion that changes nothing.
-    #[must_use]
     pub const fn identity(ty: ElementaryType) -> Conversion {
         Conversion {
             from: ty,
@@ -243,7 +241,6 @@ impl Conversion {
 
     /// The raw form of the result for the raw form of the operand, where neither is a text. A rule that needs
     /// a text gives 0; the checker never asks for that.
-    #[must_use]
     pub fn apply(self, value: u64) -> u64 {
         self.apply_here(value)
     }
@@ -311,7 +308,6 @@ impl Conversion {
 
     /// The raw form of the result for a text operand, in code units; `None` where the text is no number of the type and the reading is one by
     /// which such a text gives none.
-    #[must_use]
     pub fn spelled(self, units: &[u16]) -> Option<u64> {
         match self.rule {
             ConversionRule::ReadText(reading) => reading::spelled(units, self.to, reading),
@@ -320,7 +316,6 @@ impl Conversion {
     }
 
     /// The raw form of the result for a text operand, in code units.
-    #[must_use]
     pub fn apply_from_text(self, units: &[u16]) -> u64 {
         match self.rule {
             ConversionRule::FirstCharacter => {
@@ -332,7 +327,6 @@ impl Conversion {
     }
 
     /// The text, in code units, for the raw form of the operand.
-    #[must_use]
     pub fn apply_to_text(self, value: u64) -> Vec<u16> {
         match self.rule {
             // A character's raw form has 16 bits at most.
@@ -346,7 +340,6 @@ impl Conversion {
     }
 
     /// The text for a text operand.
-    #[must_use]
     pub fn text_to_text(self, units: &[u16]) -> Vec<u16> {
         text::between(units, self.to)
     }

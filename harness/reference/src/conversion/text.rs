@@ -6,7 +6,6 @@ use stickler_types::ElementaryType;
 const REPLACEMENT: u16 = b'?' as u16;
 
 /// A character of either width as CHAR, where it may have to be replaced, or as WCHAR.
-#[must_use]
 pub fn character(raw: u64, to: ElementaryType) -> u64 {
     let narrow = matches!(to, ElementaryType::Char | ElementaryType::String);
     if narrow && raw > 0xFF {
@@ -17,7 +16,6 @@ pub fn character(raw: u64, to: ElementaryType) -> u64 {
 }
 
 /// A text of either width as STRING, where characters may have to be replaced, or as WSTRING.
-#[must_use]
 pub fn between(units: &[u16], to: ElementaryType) -> Vec<u16> {
     units
         .iter()

@@ -13,7 +13,6 @@ use stickler_types::{BitStringText, ElementaryType, Family, MomentText, RealText
 
 /// Writes a value as text, in ASCII characters; `reals` and `bits` say in which form REAL and LREAL, BYTE … LWORD, and
 /// durations and dates are written.
-#[must_use]
 pub fn write(
     raw: u64,
     from: ElementaryType,

@@ -102,7 +102,6 @@ where
 
 /// The negated value; the least integer stays as it is.
 #[inline]
-#[must_use]
 pub fn negate(ty: ElementaryType, value: u64) -> u64 {
     match ty {
         ElementaryType::Real => of_single(-single(value)),
@@ -113,7 +112,6 @@ pub fn negate(ty: ElementaryType, value: u64) -> u64 {
 }
 
 /// The absolute value; the least integer stays as it is, which is what its negation wraps to.
-#[must_use]
 pub fn absolute(ty: ElementaryType, value: u64) -> u64 {
     match ty {
         ElementaryType::Real => of_single(single(value).abs()),

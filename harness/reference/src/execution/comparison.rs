@@ -8,14 +8,12 @@ use stickler_types::{ElementaryType, Family};
 /// Returns whether the operator holds for two raw forms of a type. A NaN is unequal to everything, itself included,
 /// and -0.0 equals 0.0. Basis: IEC 60559.
 #[inline]
-#[must_use]
 pub fn compare(operator: ComparisonOperator, ty: ElementaryType, left: u64, right: u64) -> bool {
     holds(operator, order(ty, left, right))
 }
 
 /// Orders two raw forms of a type; `None` where one is a NaN.
 #[inline]
-#[must_use]
 pub fn order(ty: ElementaryType, left: u64, right: u64) -> Option<Ordering> {
     match ty.family() {
         Family::Signed | Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
@@ -29,7 +27,6 @@ pub fn order(ty: ElementaryType, left: u64, right: u64) -> Option<Ordering> {
 
 /// Returns whether an operator holds for operands of this order.
 #[inline]
-#[must_use]
 pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {
     match operator {
         ComparisonOperator::Equal => order == Some(Ordering::Equal),
@@ -44,7 +41,6 @@ pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {
 
 /// Returns whether the second of two values lies further in a direction than the first; a number does rather than a
 /// NaN. Basis: IEC 60559 (minNum, maxNum).
-#[must_use]
 pub fn lies_further(ty: ElementaryType, further: Ordering, second: u64, first: u64) -> bool {
     match order(ty, second, first) {
         Some(order) => order == further,

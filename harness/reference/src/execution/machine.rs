@@ -43,7 +43,6 @@ struct CallFrame {
 
 impl<'p> Machine<'p> {
     /// A machine whose memory is all zero; `step_limit` is for the whole run.
-    #[must_use]
     pub fn new(program: &'p MachineProgram, step_limit: u64) -> Machine<'p> {
         Machine {
             program,
@@ -76,13 +75,11 @@ impl<'p> Machine<'p> {
     }
 
     /// The raw form in a cell; `None` where there is no such cell.
-    #[must_use]
     pub fn plain(&self, address: Address) -> Option<u64> {
         self.memory.load(address).ok()
     }
 
     /// The text of a text cell, in code units; `None` where there is none.
-    #[must_use]
     pub fn text(&self, address: Address) -> Option<&[u16]> {
         self.memory.text(address).ok()
     }

@@ -167,7 +167,6 @@ impl<'p> Machine<'p> {
     }
 
     /// The raw form of a plain value of some bytes, each of which lies in a cell of its own; `None` where there are no such cells.
-    #[must_use]
     pub fn plain_in_bytes(&self, cell: Address, size: u32, ty: ElementaryType) -> Option<u64> {
         let mut bytes = (0..size).rev();
         let bits = bytes.try_fold(0, |bits, index| Some(bits << 8 | self.plain(cell + index)?))?;

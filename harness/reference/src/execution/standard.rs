@@ -27,7 +27,6 @@ pub struct UnaryFunction {
 
 impl UnaryFunction {
     /// Finds a function by its name, for operands of a type that it takes.
-    #[must_use]
     pub fn find(name: &str, of: ElementaryType) -> Option<UnaryFunction> {
         let called = match name {
             "NOT" => None,
@@ -37,7 +36,6 @@ impl UnaryFunction {
     }
 
     /// Returns the raw form of the result; 0 where a program would stop.
-    #[must_use]
     pub fn apply(self, operand: u64) -> u64 {
         match self.called {
             None => complement(operand, self.of),

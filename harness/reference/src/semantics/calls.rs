@@ -52,7 +52,6 @@ pub(super) enum Callee {
 }
 
 /// Returns whether a standard function or a type conversion function of the dialect has a name.
-#[must_use]
 pub fn is_standard_function(name: &str, dialect: &Dialect) -> bool {
     standard_function(name).is_some()
         || function(name, dialect).is_some()

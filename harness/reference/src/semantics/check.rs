@@ -16,7 +16,6 @@ use stickler_types::dialect::Dialect;
 ///
 /// Takes the tree of `text`, the index of its lines, and the dialect. Gives a program, unless anything is wrong
 /// or the text has no PROGRAM, and everything that is wrong in the order of the text.
-#[must_use]
 pub fn check(
     unit: &SourceUnit<'_>,
     text: &str,
@@ -29,7 +28,6 @@ pub fn check(
 
 /// Checks a source text as [`check`] does, and gives besides all places at which a value meets a type or a bit is read or written,
 /// whether or not anything is wrong.
-#[must_use]
 pub fn check_traced(
     unit: &SourceUnit<'_>,
     text: &str,

@@ -24,7 +24,6 @@ pub(super) const MAX_SHORT_TEXT: usize = 255;
 
 /// A jump whose destination is not known yet.
 #[derive(Clone, Copy, Debug)]
-#[must_use]
 pub(super) struct Jump(usize);
 
 /// The jumps out of a loop, and to its next turn, whose destinations are not known yet.

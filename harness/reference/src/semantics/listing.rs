@@ -10,7 +10,6 @@ impl CheckedProgram {
     /// declarations, arrays element by element, structures and function blocks field by field; at most `most`.
     ///
     /// Each of them is one that [`CheckedProgram::resolve`] takes.
-    #[must_use]
     pub fn variables(&self, most: usize) -> Vec<String> {
         let directory = &self.directory;
         let mut listing = PathListing {

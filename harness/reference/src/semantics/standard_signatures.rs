@@ -205,7 +205,6 @@ pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature
 
 /// Returns a number that grows with the place of an input of a standard function, by its name in any case. Of a function that is written in
 /// Structured Text it is the number in the name, such as that of `IN1`. `None` where there is no such input.
-#[must_use]
 pub fn place_of_input(function: &str, input: &str) -> Option<usize> {
     match standard_function(function) {
         Some(known) => known.parameters.position(input),

@@ -8,7 +8,6 @@ use crate::overview::Overview;
 use crate::text::{noted, visible};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
     Reproducer, Source, Verdict,
@@ -92,14 +91,12 @@ pub(super) fn index(
         called(name, about)
     );
     let pages = counted(causes as u64, "page", "pages");
-    // Writing to a String cannot fail.
-    let _ = write!(text, "{pages}, {words}\n\n");
+    text.push_str(&format!("{pages}, {words}\n\n"));
     if unexplained > 0 {
         let cases = counted(unexplained, "case", "cases");
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "No page has room for {cases} of other kinds; `events.jsonl.gz` has them.\n\n"
-        );
+        ));
     }
     text
 }
@@ -112,12 +109,11 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for ((cause, _), number) in causes.iter().zip(1..) {
         let (cases, title) = (cause.number(), titled(&cause.headline()));
-        let _ = writeln!(
-            text,
-            "| {cases} | [{title}]({}) | {} |",
+        text.push_str(&format!(
+            "| {cases} | [{title}]({}) | {} |\n",
             file(number, cause),
             inline(&cause.shown.basis)
-        );
+        ));
     }
     text
 }
@@ -152,7 +148,7 @@ pub(crate) fn page(
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(&cause.headline()));
     if let Some(case) = case {
-        let _ = write!(text, "{}.\n\n", inline(&case.title));
+        text.push_str(&format!("{}.\n\n", inline(&case.title)));
     }
     match shown.program.is_empty() && !shown.case.is_empty() {
         true => {
@@ -160,10 +156,9 @@ pub(crate) fn page(
                 "stickler reproduce '{}' --engine {name} DIR",
                 shown.case
             ));
-            let _ = write!(
-                text,
+            text.push_str(&format!(
                 "{command} writes a program that shows it, and the commands.\n\n"
-            );
+            ));
         }
         false => reproduction(&mut text, about, shown),
     }
@@ -193,22 +188,22 @@ pub(crate) fn page(
     }
     if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
         let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
-        let _ = write!(text, "{}\n\n", lines.trim_end());
+        text.push_str(&format!("{}\n\n", lines.trim_end()));
     }
     if let Some(told) = shown.neighbours_told() {
-        let _ = write!(text, "{told}\n\n");
+        text.push_str(&format!("{told}\n\n"));
     }
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
-        let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
+        text.push_str(&format!("It is known: {}.\n\n", inline(&noted(note))));
     }
     let rerun = about.filter(|_| !shown.case.is_empty());
     let rerun = rerun.map(|about| about.rerun(&shown.case, &shown.dialect));
-    let _ = write!(text, "Found by Stickler, in its dialect `{}`", shown.dialect);
-    let _ = match rerun.filter(|rerun| !rerun.is_empty()) {
-        Some(rerun) => writeln!(text, "; a case that shows it: {}", code(&without_folders(&rerun))),
-        None => writeln!(text, "."),
-    };
+    text.push_str(&format!("Found by Stickler, in its dialect `{}`", shown.dialect));
+    text.push_str(&match rerun.filter(|rerun| !rerun.is_empty()) {
+        Some(rerun) => format!("; a case that shows it: {}\n", code(&without_folders(&rerun))),
+        None => ".\n".to_owned(),
+    });
     text
 }
 
@@ -237,7 +232,7 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     let mut cited = overview.sources().iter().filter(own);
     let cited = cited.find(|source| source.key == claim.source);
     if let Some(limits) = cited.and_then(|source| source.limitations.get(claim.section)) {
-        let _ = write!(text, "The source limits what it promises: {limits}.\n\n");
+        text.push_str(&format!("The source limits what it promises: {limits}.\n\n"));
     }
     let said = code.and_then(|code| {
         let mut own = overview.sources().iter().filter(own);
@@ -245,11 +240,10 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     });
     if let Some((source, code, lacks)) = said {
         let claim = linked(&format!("{}: {code}", source.key), &source.address_of(code));
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "{claim} lists what may give this answer: {lacks}. Where a page promises one of these, the two pages contradict each \
              other.\n\n"
-        );
+        ));
     }
 }
 
@@ -296,10 +290,9 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
                 "So the claim does not bind it.".to_owned(),
             ),
         };
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "{publisher} {says_what}: {section} ({title}) {says}. {binds}"
-        );
+        ));
         text.truncate(text.trim_end().len());
         text.push_str("\n\n");
     }
@@ -312,24 +305,22 @@ fn rule(text: &mut String, shown: &Reproducer, overview: &Overview) {
         .source(source)
         .and_then(|source| source.paragraphs.get(section));
     if let Some(paragraph) = paragraph.filter(|_| section != "not-stated") {
-        let _ = write!(
-            text,
+        text.push_str(&format!(
             "The rule is Stickler's own, and binds no compiler: {}\n\n",
             paragraph.trim()
-        );
+        ));
     }
 }
 
 /// Adds the outcomes of a program with which the compiler does not do the same each time.
 fn by_chance(text: &mut String, repeats: &Repeats) {
     let Repeats { seen, of, outcomes } = repeats;
-    let _ = write!(
-        text,
+    text.push_str(&format!(
         "**By chance:** this came in {seen} of {of} runs of the same program.\n\n"
-    );
+    ));
     for RepeatedOutcome { got, runs } in outcomes {
         let shown = visible(&Fact::text(got)).replace('\n', "; ");
-        let _ = writeln!(text, "- {runs} of {of}: {}", code(&shown));
+        text.push_str(&format!("- {runs} of {of}: {}\n", code(&shown)));
     }
     if !outcomes.is_empty() {
         text.push('\n');
@@ -433,7 +424,7 @@ fn cases(text: &mut String, cause: &Cause) {
         (true, 1) => "case uses it and is refused; it waits for it",
         (true, _) => "cases use it and are refused; they wait for it",
     };
-    let _ = write!(text, "{} {shows}", grouped(number));
+    text.push_str(&format!("{} {shows}", grouped(number)));
     let mut claims: BTreeMap<&str, u64> = BTreeMap::new();
     for some in &cause.cases {
         *claims.entry(some.basis.as_str()).or_default() += some.cases;
@@ -447,10 +438,13 @@ fn cases(text: &mut String, cause: &Cause) {
     let mut claims: Vec<_> = claims.into_iter().filter(|_| !cause.is_lack()).collect();
     claims.sort_by_key(|(_, cases)| Reverse(*cases));
     for (claim, cases) in claims.iter().take(MAX_CLAIMS) {
-        let _ = writeln!(text, "- {}: {cases}", inline(claim));
+        text.push_str(&format!("- {}: {cases}\n", inline(claim)));
     }
     if let Some(others) = claims.get(MAX_CLAIMS..).filter(|others| !others.is_empty()) {
-        let _ = writeln!(text, "- {}", counted(others.len() as u64, "other", "others"));
+        text.push_str(&format!(
+            "- {}\n",
+            counted(others.len() as u64, "other", "others")
+        ));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
     let mut listed: Vec<ExplainedCases> = Vec::new();
@@ -466,17 +460,16 @@ fn cases(text: &mut String, cause: &Cause) {
     }
     listed.sort_by_key(|some| Reverse(some.cases));
     for some in listed.iter().take(MAX_LISTED) {
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} |",
+        text.push_str(&format!(
+            "| {} | {} | {} |\n",
             some.cases,
             code(&some.probe),
             inline(&some.dialect)
-        );
+        ));
     }
     let rest: u64 = listed.iter().skip(MAX_LISTED).map(|some| some.cases).sum();
     if rest > 0 {
-        let _ = writeln!(text, "| {rest} | others | |");
+        text.push_str(&format!("| {rest} | others | |\n"));
     }
     text.push('\n');
 }

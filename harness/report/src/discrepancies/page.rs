@@ -3,7 +3,6 @@
 use crate::basis::Basis;
 use crate::markdown::{fence, inline};
 use crate::text::visible;
-use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade};
 use stickler_types::{Diagnostic, counted};
 
@@ -38,7 +37,7 @@ pub(super) fn expected_and_got(
     let agreeing = (expected.len() - wanted.len()) as u64;
     if agreeing > 0 {
         let values = counted(agreeing, "other value is", "other values are");
-        let _ = write!(text, "{values} as expected.\n\n");
+        text.push_str(&format!("{values} as expected.\n\n"));
     }
 }
 
@@ -155,5 +154,5 @@ pub(super) fn called(name: &str, about: Option<&EngineHeader>) -> String {
 pub(super) fn block(text: &mut String, before: &str, language: &str, code: &str) {
     let fence = fence(code);
     let code = code.trim_end_matches('\n');
-    let _ = write!(text, "{before}\n\n{fence}{language}\n{code}\n{fence}\n\n");
+    text.push_str(&format!("{before}\n\n{fence}{language}\n{code}\n{fence}\n\n"));
 }

@@ -4,7 +4,6 @@ use super::{error, failure, problem};
 use crate::text::noted;
 use crate::{compared, diff, overview};
 use quick_junit::{TestCase, TestCaseStatus};
-use std::fmt::Write;
 use stickler_run::{CaseEvent, EngineHeader, Fact, Verdict};
 
 /// Returns the test of a case that did not pass.
@@ -32,8 +31,7 @@ pub(super) fn test(case: &CaseEvent, engine: Option<&EngineHeader>) -> TestCase 
 fn observations(case: &CaseEvent) -> String {
     let mut text = "observed, where no source in Stickler says what must be:\n".to_owned();
     for observation in &case.observations {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{} = {}", observation.name, observation.value);
+        text.push_str(&format!("{} = {}\n", observation.name, observation.value));
     }
     text
 }

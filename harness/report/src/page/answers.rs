@@ -147,7 +147,7 @@ impl PageAnswers {
         AnswersData {
             compared: compared.collect(),
             columns: self.columns.into_iter().map(AnswerColumn::into_data).collect(),
-            words: self.words.all().to_vec(),
+            words: self.words.all().cloned().collect(),
         }
     }
 }

@@ -133,7 +133,7 @@ impl MissedCases {
         CasesData {
             verdicts: Verdict::ALL.iter().map(|verdict| verdict.as_str()).collect(),
             groups: columns,
-            words: words.all().to_vec(),
+            words: words.all().cloned().collect(),
             texts,
             cases: self.columns,
             cases_left_out: self.left_out,

@@ -6,7 +6,6 @@ use super::html::{chart, escaped, page as whole, share};
 use super::versions::VersionRun;
 use crate::comparison::{Change, Kind};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use stickler_types::counted;
 
 /// The maximum number of cases that are listed of each claim.
@@ -98,13 +97,11 @@ fn changes(title: &str, changes: Vec<&Change>) -> String {
     let mut html = format!("<h3>{title}</h3>\n");
     for (claim, changes) in claims {
         let cases = counted(changes.len() as u64, "case", "cases");
-        // Writing to a String cannot fail.
-        let _ = write!(
-            html,
+        html.push_str(&format!(
             "<details><summary>{}: {cases}</summary><ul>\n{}</ul></details>\n",
             escaped(claim),
             listed(&changes)
-        );
+        ));
     }
     html
 }
@@ -123,7 +120,7 @@ fn listed(changes: &[&Change]) -> String {
     };
     let mut items: String = changes.iter().take(MAX_LISTED).map(item).collect();
     if let Some(rest) = changes.len().checked_sub(MAX_LISTED).filter(|rest| *rest > 0) {
-        let _ = writeln!(items, "<li>and {rest} more, which are not listed here</li>");
+        items.push_str(&format!("<li>and {rest} more, which are not listed here</li>\n"));
     }
     items
 }

@@ -5,7 +5,6 @@ use super::functions::Functions;
 use super::history::History;
 use super::html::{escaped, page_with, share};
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
 /// Returns the page.
 pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> String {
@@ -87,17 +86,15 @@ fn changes(histories: &[History<'_>]) -> String {
     }
     let mut list = "<ul>\n".to_owned();
     for (history, step) in steps {
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            list,
-            "<li>{}: <a href=\"engines/{}\">{}</a> from {} to {}: {}</li>",
+        list.push_str(&format!(
+            "<li>{}: <a href=\"engines/{}\">{}</a> from {} to {}: {}</li>\n",
             step.new.run.date(),
             history.file,
             escaped(history.name),
             escaped(step.old.version),
             escaped(step.new.version),
             escaped(&step.numbers())
-        );
+        ));
     }
     list + "</ul>\n"
 }

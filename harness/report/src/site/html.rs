@@ -3,7 +3,6 @@
 use crate::claims::Standing;
 use crate::page::STYLE;
 use crate::text::visible;
-use std::fmt::Write;
 
 /// The styles that only the site has, beside those of a run's page.
 const SITE_STYLE: &str = include_str!("site.css");
@@ -64,8 +63,7 @@ pub(super) fn chart(shares: &[u64]) -> String {
     for (at, passed) in shares.iter().enumerate() {
         let x = at as u64 * WIDTH / steps;
         let y = 1000 - passed;
-        // Writing to a String cannot fail.
-        let _ = write!(points, "{x},{}.{} ", y / 10, y % 10);
+        points.push_str(&format!("{x},{}.{} ", y / 10, y % 10));
     }
     format!(
         "<svg class=\"history\" viewBox=\"-4 -4 {} {}\" role=\"img\" aria-label=\"Share of passed cases, from the oldest run \

@@ -5,6 +5,7 @@ use crate::{Filter, Verdict};
 use jiff::civil::Date;
 use semver::VersionReq;
 use serde::Deserialize;
+use stickler_types::sorted;
 use toml::{Spanned, Value};
 
 /// The verdicts that an entry may expect; a pass, which comes first, only beside others.
@@ -140,9 +141,7 @@ fn verdicts(value: &Spanned<Value>) -> Result<Vec<Verdict>, BaselineMistake> {
         one => verdict(one, &EXPECTED[1..]).map(|verdict| vec![verdict]),
     };
     let is_said_once = |verdicts: &Vec<Verdict>| {
-        let mut seen = verdicts.clone();
-        seen.sort_unstable();
-        seen.dedup();
+        let seen = sorted(verdicts);
         seen.len() == verdicts.len() && (seen.len() > 1 || !value.get_ref().is_array())
     };
     let verdicts = verdicts.and_then(|verdicts| match is_said_once(&verdicts) {

@@ -62,7 +62,6 @@ pub(crate) fn read(
 impl Places {
     /// Reads the text of the `places.toml` that reports show as `shown`; returns its usable part and its mistakes. Does not ask
     /// whether what promises a place is a source, so that every dialect has the places but those that the text excepts.
-    #[must_use]
     pub fn of_file(shown: &str, text: &str, dialects: &Dialects) -> (Places, Vec<CaseFileError>) {
         let (places, mistakes) = of_text(text, dialects, None);
         (places, in_file(mistakes, shown))

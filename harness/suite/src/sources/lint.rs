@@ -109,7 +109,6 @@ impl Sources {
     }
 
     /// Returns a mistake for each engine of a source that is not one of the `known` engines.
-    #[must_use]
     pub fn unknown_engines(&self, known: &[&str]) -> Vec<CaseFileError> {
         let mut mistakes = Vec::new();
         for source in &self.sources {

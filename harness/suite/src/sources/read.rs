@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::{Contradiction, PrintedResult, Question, Relation, Value, Versions};
+use stickler_types::{Contradiction, PrintedResult, Question, Relation, Value, Versions, sorted};
 use toml::Spanned;
 
 use super::examples::OmittedEntry;
@@ -222,8 +222,7 @@ impl SourcesReader<'_> {
                 Err(message) => self.wrong(name.span().start, key.get_ref(), message),
             }
         }
-        dialects.sort_unstable();
-        dialects.dedup();
+        let dialects = sorted(dialects);
         let sections = self.sections(name, at, file.as_deref(), entry.sections);
         let mut limitations = BTreeMap::new();
         for (section, text) in entry.limitations {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::{DialectName, RecordingOrigin, Relation};
+use stickler_types::{RecordingOrigin, Relation, sorted};
 
 use super::{RECORDING, RecordedOrigin, Sections, Source, SourceKind};
 use crate::files::{self, RECORDINGS};
@@ -35,12 +35,7 @@ pub(super) fn read(root: &files::Root) -> Source {
     let usable = recorded
         .iter()
         .filter_map(|(name, section)| Some((name, section.as_ref().ok()?)));
-    let mut dialects: Vec<DialectName> = usable
-        .clone()
-        .flat_map(|(_, section)| section.dialects.clone())
-        .collect();
-    dialects.sort_unstable();
-    dialects.dedup();
+    let dialects = sorted(usable.clone().flat_map(|(_, section)| section.dialects.clone()));
     Source {
         key: RECORDING.to_owned(),
         title: "Recordings of compilers".to_owned(),

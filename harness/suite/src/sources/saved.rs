@@ -45,7 +45,6 @@ pub enum QuoteResult {
 
 impl Sources {
     /// Looks for each quote of the sources in the copies of their pages below `folder`, in the order of the sources and sections.
-    #[must_use]
     pub fn check_quotes(&self, folder: &Path) -> Vec<CheckedQuote<'_>> {
         let mut pages: BTreeMap<String, Option<Vec<String>>> = BTreeMap::new();
         let mut checked = Vec::new();

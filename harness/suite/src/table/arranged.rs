@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use stickler_types::DialectName;
+use stickler_types::{DialectName, sorted};
 use toml::Spanned;
 
 use crate::condition::Testable;
@@ -155,9 +155,7 @@ fn design(reader: &mut KeyReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<De
                 Err(message) => reader.wrong(name, KEY, message),
             }
         }
-        indices.sort_unstable();
-        indices.dedup();
-        indices
+        sorted(indices)
     });
     if key.get_ref().expression.is_some() {
         places.retain_statements(&mut targets);

@@ -1,7 +1,5 @@
 //! Cases as the examples list them.
 
-use std::fmt::Write;
-
 use stickler_suite::{Acceptance, Case, ExpectedDiagnostic};
 
 /// Lists the cases: the id and the dialects of each, and what it expects. Neighbours that differ only in their dialect stand together.
@@ -28,8 +26,7 @@ pub fn listing(cases: &[Case], is_whole: bool) -> String {
 fn description(case: &Case, is_whole: bool) -> String {
     let mut text = String::new();
     let mut line = |claim: String| {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "    {claim}");
+        text.push_str(&format!("    {claim}\n"));
     };
     let expectation = &case.expectation;
     line(match expectation.accepted {

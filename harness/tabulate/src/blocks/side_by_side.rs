@@ -2,7 +2,6 @@
 
 use super::PASSED;
 use super::model::{Block, Inputs, Rule};
-use std::fmt::Write;
 
 /// The number of scans of a sequence of a timer.
 const SCANS: usize = 6;
@@ -29,22 +28,18 @@ pub(super) fn side_by_side(block: Block, passed: &[i128], preset: i128) -> Strin
             .collect();
         // A sequence begins when all timers are at rest.
         let rest = [at + 1, at + 1 + 2 * preset];
-        let _ = writeln!(text, "{}s 0 - | - - -\n{}s 0 - | - - -", rest[0], rest[1]);
+        text.push_str(&format!("{}s 0 - | - - -\n{}s 0 - | - - -\n", rest[0], rest[1]));
         at = rest[1];
         let mut times = Vec::new();
         for (scan, step) in steps.iter().enumerate() {
             at += step;
             times.push(at);
             let is_told = (scan.saturating_sub(passed.len())..free).all(|place| digit(place) == 0);
-            let _ = match is_told {
-                true => writeln!(
-                    text,
-                    "{at}s {} {}",
-                    scan + 1,
-                    outputs(block, &times, rest, number > 0, preset)
-                ),
-                false => writeln!(text, "{at}s {} - | - - -", scan + 1),
+            let outputs = match is_told {
+                true => outputs(block, &times, rest, number > 0, preset),
+                false => "- | - - -".to_owned(),
             };
+            text.push_str(&format!("{at}s {} {outputs}\n", scan + 1));
         }
     }
     text
@@ -122,7 +117,7 @@ pub(super) fn counting_side_by_side(
             }
             let inputs: Vec<String> = inputs.iter().map(|bit| u8::from(*bit).to_string()).collect();
             let bits = bits.map(|bits| format!("16#{bits:016X}")).join(" ");
-            let _ = writeln!(text, "{scan} {} {preset} | {bits}", inputs.join(" "));
+            text.push_str(&format!("{scan} {} {preset} | {bits}\n", inputs.join(" ")));
         }
     }
     text

@@ -2,7 +2,7 @@
 //!
 //! Basis: conformance-cases/README.md (boundary values).
 
-use crate::{ElementaryType, Family, Value, WrittenValue};
+use crate::{ElementaryType, Family, Value, WrittenValue, sorted};
 use std::sync::LazyLock;
 
 /// Returns the boundary values of a type, each once; integers and bit strings in ascending order.
@@ -91,9 +91,7 @@ fn integers(ty: ElementaryType) -> Vec<i128> {
         numbers.extend([-((1 << 24) + 1), -((1 << 53) + 1)]);
     }
     numbers.retain(|number| (least..=greatest).contains(number));
-    numbers.sort_unstable();
-    numbers.dedup();
-    numbers
+    sorted(numbers)
 }
 
 /// Returns the listed values, and the numbers at the ends of the type: the smallest, the largest subnormal, the

@@ -50,7 +50,6 @@ const SECOND: i128 = 1_000_000_000;
 const DAY: i128 = 86_400 * SECOND;
 
 /// Returns the raw forms of a type's boundaries and of their neighbours, each once, in the order of their bits; none for a text.
-#[must_use]
 pub fn neighbourhoods(ty: ElementaryType, detail: BoundaryDetail) -> Vec<u64> {
     let raws: BTreeSet<u64> = match ty.family() {
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Character => {

@@ -74,7 +74,6 @@ pub fn instant(day: i64, time: i64) -> Result<i64, LiteralError> {
 }
 
 /// Adds the second 0 to a time of day that ends with its minute, for dialects where it may.
-#[must_use]
 pub fn with_seconds(text: &str) -> Cow<'_, str> {
     match text.matches(':').count() {
         1 => Cow::Owned(format!("{text}:00")),

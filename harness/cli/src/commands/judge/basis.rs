@@ -11,7 +11,7 @@ use stickler_reference::has_block;
 use stickler_reference::semantics::is_standard_function;
 use stickler_suite::Suite;
 use stickler_syntax::names::{UseKind, used};
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, sorted};
 
 /// A standard function or function block, and what is known of its results in the dialect: those of a conversion function for the boundary values
 /// of its types, of others the cases that use them.
@@ -55,9 +55,7 @@ impl Basis {
         };
         let names = used(&unit).into_iter();
         let names = names.filter(|one| is_standard(one.kind, one.name.text) && !own(one.name.text));
-        let mut names: Vec<_> = names.map(|one| one.name.text.to_ascii_uppercase()).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = sorted(names.map(|one| one.name.text.to_ascii_uppercase()));
         let new = names.iter().filter(|name| !self.known.contains_key(*name));
         let new: Vec<&String> = new.collect();
         if !new.is_empty() {

@@ -2,7 +2,6 @@
 
 use crate::source_file::running;
 use anyhow::Context;
-use std::fmt::Write;
 use stickler_syntax::tree::{Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
 use stickler_types::{Dialect, DialectName};
 
@@ -137,8 +136,7 @@ fn caller_of_function(text: &str, function: &Pou<'_>) -> String {
     match &function.result {
         None => program(&variables, &call),
         Some(result) => {
-            // Writing into a String does not fail.
-            let _ = writeln!(variables, "    {RESULT} : {};", result.span.text(text));
+            variables.push_str(&format!("    {RESULT} : {};\n", result.span.text(text)));
             program(&variables, &format!("{RESULT} := {call}"))
         }
     }
@@ -156,10 +154,10 @@ fn parameters<'t, 's>(
 /// Writes the declaration of a variable of the type, and with the initial value, of a parameter.
 fn declare(text: &str, name: &str, group: &VariableGroup<'_>, into: &mut String) {
     let ty = group.specification.span.text(text);
-    let _ = match &group.initializer {
-        Some(initial) => writeln!(into, "    {name} : {ty} := {};", initial.span.text(text)),
-        None => writeln!(into, "    {name} : {ty};"),
-    };
+    into.push_str(&match &group.initializer {
+        Some(initial) => format!("    {name} : {ty} := {};\n", initial.span.text(text)),
+        None => format!("    {name} : {ty};\n"),
+    });
 }
 
 fn program(variables: &str, call: &str) -> String {

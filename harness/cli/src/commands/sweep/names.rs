@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use stickler_conversions::all_functions;
-use stickler_types::wrap;
+use stickler_types::{grouped_by_key, wrap};
 
 /// Lists all conversion functions on stderr where no dialect has the named one. The list is long, so the caller's error message
 /// about the name follows it.
@@ -21,14 +21,7 @@ pub fn list_unless_known(function: &str) {
 
 /// Returns the list of names, with one paragraph for each common beginning.
 fn list(names: &[String]) -> String {
-    let mut families: Vec<(String, Vec<&str>)> = Vec::new();
-    for name in names {
-        let (family, rest) = split(name);
-        match families.iter_mut().find(|(known, _)| *known == family) {
-            Some((_, rests)) => rests.push(rest),
-            None => families.push((family, vec![rest])),
-        }
-    }
+    let families = grouped_by_key(names.iter().map(|name| split(name)));
     let paragraphs = families
         .iter()
         .map(|(family, rests)| wrap(&format!("{family} {}", rests.join(" ")).replace(" \n", "\n")));

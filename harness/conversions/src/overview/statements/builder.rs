@@ -6,6 +6,7 @@ use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
 use crate::overview::results::ExpectedResult;
 use crate::recording::Recording;
+use indexmap::IndexSet;
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, signature_of};
@@ -156,7 +157,7 @@ impl StatementsBuilder {
 
     /// Returns what documents state of pairs of types and parts of types: the question, the dialect, the word and its basis.
     pub fn accepted(&self) -> impl Iterator<Item = (Question, DialectName, MatrixWord, &str)> {
-        let word = |number: u32| self.words.all().get(number as usize).map_or("", |word| &**word);
+        let word = |number: u32| self.words.word(number);
         let ty = move |number| ElementaryType::from_name(word(number));
         let pairs = self.pairs.all.iter();
         let pairs = pairs.filter_map(move |of| Some((Question::Implicit((ty(of.from)?, ty(of.to)?)), of)));
@@ -194,22 +195,22 @@ impl StatementsBuilder {
         let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
         let first_part = all.pairs.len();
         let first_call = first_part + all.parts.len();
-        let word = |word: u32| self.words.all().get(word as usize);
-        let ty = |number: u32| ElementaryType::from_name(word(number)?);
+        let word = |number: u32| self.words.word(number);
+        let ty = |number: u32| ElementaryType::from_name(word(number));
         for (question, asked) in all.pairs.iter().chain(&all.parts).enumerate() {
             for column in &mut recorded {
-                let stated = asked.stated[column.dialect()].map(|(word, _)| word);
+                let stated = asked.stated[column.dialect].map(|(word, _)| word);
                 column.add(number(question), stated, |recording, dialect| {
                     let from = ty(asked.from)?;
                     match question < first_part {
                         true => recording.implicit(dialect, (from, ty(asked.to)?)),
-                        false => recording.part(dialect, from, word(asked.to)?),
+                        false => recording.part(dialect, from, word(asked.to)),
                     }
                 });
             }
         }
         let mut first_calls = Vec::with_capacity(self.functions.len());
-        let mut known_bases = HashMap::new();
+        let mut known_bases = IndexSet::new();
         for function in &self.functions {
             let first = all.calls.operands.len();
             first_calls.push(first);
@@ -221,7 +222,7 @@ impl StatementsBuilder {
                 .collect();
             for column in &mut recorded {
                 let mut of_dialects = function.dialects.iter().zip(&expected);
-                if let Some((_, expected)) = of_dialects.find(|(index, _)| **index == column.dialect()) {
+                if let Some((_, expected)) = of_dialects.find(|(index, _)| **index == column.dialect) {
                     let first = number(first_call + first);
                     column.add_calls(first, &function.signature, &function.calls, expected);
                 }
@@ -255,12 +256,7 @@ impl StatementsBuilder {
                         all.disputed.push((first + number, *dialect, value, basis));
                     }
                 }
-                let next = all.bases.len();
-                let number = *known_bases.entry(bases.clone()).or_insert(next);
-                if number == next {
-                    all.bases.push(bases);
-                }
-                all.calls.bases.push(number);
+                all.calls.bases.push(known_bases.insert_full(bases).0);
                 all.calls.values.push(values);
             }
         }
@@ -276,8 +272,9 @@ impl StatementsBuilder {
         all.questions = questions
             .map(|(case, question)| (case, number(question)))
             .collect();
-        all.words = self.words.all().to_vec();
-        all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
+        all.bases = known_bases.into_iter().collect();
+        all.words = self.words.all().cloned().collect();
+        all.recorded = recorded.into_iter().map(|column| column.answers).collect();
         all
     }
 }

@@ -124,7 +124,7 @@ const GREATEST_EXPONENT: u64 = 1023 + 128;
 #[cfg(test)]
 mod tests {
     use super::{Checksum, FACTOR, MODULUS};
-    use stickler_types::ElementaryType;
+    use stickler_types::{ElementaryType, sorted};
 
     /// The modulus is a prime, and the powers of the factor take every value but 0 before they return to 1.
     #[test]
@@ -183,9 +183,7 @@ mod tests {
             ),
         ] {
             let checksum = Checksum::new(ty).expect("a checksum");
-            let mut sums: Vec<u64> = raws.iter().map(|raw| checksum.add(7, *raw)).collect();
-            sums.sort_unstable();
-            sums.dedup();
+            let sums = sorted(raws.iter().map(|raw| checksum.add(7, *raw)));
             assert_eq!(sums.len(), raws.len(), "{ty}");
         }
     }

@@ -1,7 +1,6 @@
 //! The ST statements by which a program counts from one operand to the next.
 
 use crate::literals;
-use std::fmt::Write;
 use std::ops::Range;
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -59,21 +58,16 @@ impl Counter {
     pub fn declarations(self, place: u64) -> String {
         let Counter { operand, counted } = self;
         let start = literal(counted, place);
-        let mut text = String::new();
-        // Writing to a String cannot fail.
-        let _ = match operand {
-            ElementaryType::Real => writeln!(
-                text,
-                "    operand : REAL := {start};\n    ulp     : REAL := {};",
-                ulp(place)
-            ),
-            _ if operand == counted => writeln!(text, "    operand : {operand} := {start};"),
-            _ => writeln!(
-                text,
-                "    counted : {counted} := {start};\n    operand : {operand};"
-            ),
-        };
-        text
+        match operand {
+            ElementaryType::Real => {
+                format!(
+                    "    operand : REAL := {start};\n    ulp     : REAL := {};\n",
+                    ulp(place)
+                )
+            }
+            _ if operand == counted => format!("    operand : {operand} := {start};\n"),
+            _ => format!("    counted : {counted} := {start};\n    operand : {operand};\n"),
+        }
     }
 
     /// Returns the ST statement that converts the counted variable to the operand; empty where both are the same variable.

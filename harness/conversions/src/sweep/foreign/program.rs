@@ -2,7 +2,6 @@
 
 use super::plan::Counting;
 use crate::program::ConversionProgram;
-use std::fmt::Write;
 use std::ops::Range;
 use stickler_exact::Signature;
 use stickler_types::ElementaryType;
@@ -46,18 +45,17 @@ pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>)
         .collect();
     let mut declarations = counting.counter.declarations(places.start);
     let mut statements = String::new();
-    // Writing to a String cannot fail, here and below.
     for name in &observed {
-        let _ = writeln!(declarations, "    {name} : {result};");
+        declarations.push_str(&format!("    {name} : {result};\n"));
     }
     for (index, name) in observed.iter().enumerate() {
         if index > 0 {
-            let _ = writeln!(statements, "    {advancing}");
+            statements.push_str(&format!("    {advancing}\n"));
         }
         if !making.is_empty() {
-            let _ = writeln!(statements, "    {making}");
+            statements.push_str(&format!("    {making}\n"));
         }
-        let _ = writeln!(statements, "    {name} := {function}(operand);");
+        statements.push_str(&format!("    {name} := {function}(operand);\n"));
     }
     ConversionProgram {
         declarations,

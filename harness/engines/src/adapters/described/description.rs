@@ -79,7 +79,6 @@ pub struct DescribedLimits {
 
 impl Description {
     /// Returns the address of the compiler's project, if the description names one.
-    #[must_use]
     pub fn project(&self) -> Option<&str> {
         self.project.as_deref()
     }

@@ -1,6 +1,5 @@
 //! The characters by which the texts of a program are read back, one by one.
 
-use std::fmt::Write;
 use stickler_types::ElementaryType;
 
 /// Returns the character that a literal of a type begins and ends with.
@@ -26,11 +25,10 @@ pub(super) fn escaped_literal(ty: ElementaryType) -> String {
     let quote = char::from(quote(ty));
     let mut literal = format!("{quote}$$");
     for character in escaped(ty).skip(1) {
-        // Writing into a String does not fail.
-        let _ = match ty {
-            ElementaryType::Wstring => write!(literal, "${character:04X}"),
-            _ => write!(literal, "${character:02X}"),
-        };
+        literal.push_str(&match ty {
+            ElementaryType::Wstring => format!("${character:04X}"),
+            _ => format!("${character:02X}"),
+        });
     }
     literal.push(quote);
     literal

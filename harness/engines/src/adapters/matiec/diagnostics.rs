@@ -4,6 +4,7 @@
 //! the last column within the range; `warning:` in place of `error:` rejects nothing. There are no codes; the first form is
 //! Stickler's P0002. Where the parser gives up at once, it says [`GAVE_UP`] and nothing else.
 
+use crate::adapters::codes::sorted;
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome, Severity};
 use stickler_types::Code;
@@ -50,10 +51,8 @@ pub(super) fn diagnostics(stderr: &str) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
 }
 
 /// Returns the rejection with these diagnostics.
-pub(super) fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
-    diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
-    diagnostics.dedup();
-    Outcome::Rejected { diagnostics }
+pub(super) fn rejected(diagnostics: Vec<Diagnostic>) -> Outcome {
+    Outcome::rejected(sorted(diagnostics))
 }
 
 /// Tells whether these are all mistakes of programs that were read to their end. Then every mistake of every program is among

@@ -12,8 +12,7 @@ use crate::adapters::builder::C;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use std::collections::BTreeMap;
-use std::fmt::Write;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, sorted};
 
 /// The headers that the driver includes.
 pub(super) const HEADER: &str =
@@ -94,20 +93,17 @@ impl Names {
             let (ty, show) = (shown_as(kind), self.show(number));
             let by = if ty.is_text() { " {ref}" } else { "" };
             let statements = shown.entry(asked.after).or_default();
-            // Writing into a String does not fail.
-            let _ = writeln!(statements, "  {show}({main}.{});", program.renamed(&asked.name));
-            let _ = writeln!(
-                external,
-                "{{external}} FUNCTION {show} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION"
-            );
+            statements.push_str(&format!("  {show}({main}.{});\n", program.renamed(&asked.name)));
+            external.push_str(&format!(
+                "{{external}} FUNCTION {show} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION\n"
+            ));
         }
         let mut text = format!("FUNCTION {} : DINT\n  {main}();\nEND_FUNCTION\n", self.scan());
         for (after, statements) in shown {
-            let _ = write!(
-                text,
+            text.push_str(&format!(
                 "FUNCTION {} : DINT\n{statements}END_FUNCTION\n",
                 self.look(after)
-            );
+            ));
         }
         text + &external
     }
@@ -117,22 +113,18 @@ impl Names {
         let request = program.request;
         let mut declarations = String::new();
         for (number, (asked, kind)) in request.observe.iter().zip(&program.kinds).enumerate() {
-            let _ = writeln!(
-                declarations,
-                "int32_t {}({}value) {{ {} return 0; }}",
+            declarations.push_str(&format!(
+                "int32_t {}({}value) {{ {} return 0; }}\n",
                 self.show(number),
                 parameter(kind),
                 values::statement(asked, kind, &expression(kind))
-            );
+            ));
         }
-        let mut after: Vec<Option<u32>> = request.observe.iter().map(|asked| asked.after).collect();
-        after.push(None);
-        after.sort_unstable();
-        after.dedup();
+        let after = sorted(request.observe.iter().map(|asked| asked.after).chain([None]));
         let scan = self.scan();
-        let _ = writeln!(declarations, "\nint32_t {scan}(void);");
+        declarations.push_str(&format!("\nint32_t {scan}(void);\n"));
         for after in &after {
-            let _ = writeln!(declarations, "int32_t {}(void);", self.look(*after));
+            declarations.push_str(&format!("int32_t {}(void);\n", self.look(*after)));
         }
         declarations.push('\n');
         DrivenProgram {

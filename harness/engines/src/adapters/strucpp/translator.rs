@@ -1,5 +1,6 @@
 //! The compiler in a process of Node, which translates one program after another.
 
+use crate::adapters::codes::sorted;
 use crate::adapters::locate::failed;
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits, milliseconds, time_limit};
 use crate::{Diagnostic, Outcome, Severity};
@@ -48,13 +49,10 @@ struct TranslatorDiagnostic {
 }
 
 impl Translated {
-    /// Returns the diagnostics, sorted by line and column, each once.
+    /// Returns the diagnostics, sorted, each once.
     pub(super) fn diagnostics(&self) -> Vec<Diagnostic> {
         let reported = self.diagnostics.iter();
-        let mut diagnostics: Vec<Diagnostic> = reported.map(TranslatorDiagnostic::diagnostic).collect();
-        diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
-        diagnostics.dedup();
-        diagnostics
+        sorted(reported.map(TranslatorDiagnostic::diagnostic).collect())
     }
 }
 

@@ -1,6 +1,5 @@
 //! The output of a program on stdout and stderr, read by a thread each while the program runs.
 
-use super::super::child::last_lines;
 use super::super::group::{Pipes, lock};
 use std::io::{ErrorKind, Read};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -69,15 +68,6 @@ impl Streams {
     pub(super) fn texts(&self) -> (String, String) {
         let [stdout, stderr] = &self.kept;
         (text(lock(stdout).clone()), text(lock(stderr).clone()))
-    }
-
-    /// Returns the last lines of stderr, or of stdout where stderr is empty.
-    pub(super) fn last_words(&self) -> String {
-        let (stdout, stderr) = self.texts();
-        match last_lines(&stderr) {
-            words if words.is_empty() => last_lines(&stdout),
-            words => words,
-        }
     }
 }
 
