@@ -76,7 +76,13 @@ pub(crate) fn with_blocks(
     let named = undeclared.filter_map(|one| one.span.text(source).rsplit('.').next());
     let named = named.map(str::to_ascii_uppercase);
     let named: BTreeSet<String> = named.collect();
-    let has = |name: &&String| standard_block(name).is_none_or(|feature| !dialect.lacks(feature));
+    let has_block = |name: &str| standard_block(name).is_none_or(|feature| !dialect.lacks(feature));
+    // The text of TON_LTIME cannot be read where there is no LTIME.
+    let has_types = |name: &str| {
+        let mut types = name.split('_').filter_map(ElementaryType::from_name);
+        types.all(|ty| dialect.may_name(ty))
+    };
+    let has = |name: &&String| has_block(name) && has_types(name);
     let blocks = named.iter().filter(has).filter_map(|name| block(name, dialect));
     let blocks: Vec<String> = blocks.collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {
