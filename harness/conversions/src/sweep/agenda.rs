@@ -167,7 +167,7 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
             _ => kept.out_of_range = choices.out_of_range,
         }
     }
-    if text {
+    if text && signature.operation == Operation::Convert {
         kept.text_reading = choices.text_reading;
     }
     if signature.result.is_text() && real {

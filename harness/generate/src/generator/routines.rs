@@ -20,14 +20,6 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Generates the methods of the last function block.
-    fn methods(&mut self) {
-        let block = self.program.blocks.len() - 1;
-        for _ in 0..=self.random.below(3) {
-            self.function(format!("Met{}", self.program.functions.len()), Some(block));
-        }
-    }
-
     /// Generates a function, or a method of a function block.
     fn function(&mut self, name: String, owner: Option<usize>) {
         // A text result could grow from call to call, and no document states on which day dates begin.
@@ -102,7 +94,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Generates the function blocks, each of which may have instances of earlier ones.
+    /// Generates the function blocks with their methods; each may have instances of earlier ones.
     pub fn blocks(&mut self) {
         if !self.has(Construct::Blocks) {
             return;
@@ -132,7 +124,10 @@ impl ProgramBuilder<'_, '_> {
                 ..Pou::default()
             });
             if self.has(Construct::Methods) {
-                self.methods();
+                let owner = self.program.blocks.len() - 1;
+                for _ in 0..=self.random.below(3) {
+                    self.function(format!("Met{}", self.program.functions.len()), Some(owner));
+                }
             }
         }
     }

@@ -24,7 +24,15 @@ pub(super) struct Signed<'u> {
     pub(super) span: Span,
 }
 
-impl Signed<'_> {
+impl<'u> Signed<'u> {
+    pub(super) const fn new(literal: &'u Literal<'u>, negative: bool, span: Span) -> Signed<'u> {
+        Signed {
+            literal,
+            negative,
+            span,
+        }
+    }
+
     fn refused(self, code: Code, message: String) -> SpannedDiagnostic {
         SpannedDiagnostic::new(code, self.span, message)
     }
