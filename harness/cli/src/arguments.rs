@@ -115,6 +115,9 @@ pub struct EvalArguments {
     /// Let TIME, such as T#10ms, pass from each scan to the next, for timers
     #[arg(long, value_name = "TIME", value_parser = duration)]
     pub cycle: Option<i64>,
+    /// Begin a scan at a time since the start: `T#150ms before 3`; may be repeated
+    #[arg(long, value_name = "TIME", value_parser = clock, conflicts_with = "cycle")]
+    pub clock: Vec<ClockSetting>,
     /// Print only this variable; may be repeated, may be a path [default: all elementary variables of the program]
     #[arg(long, value_name = "NAME")]
     pub observe: Vec<String>,
@@ -150,6 +153,12 @@ fn setting(text: &str) -> Result<Setting, String> {
         name: name.trim().into(),
         value,
     })
+}
+
+/// Parses `TIME before SCAN`, as the marks of case files have it.
+fn clock(text: &str) -> Result<ClockSetting, String> {
+    let Setting { before, value, .. } = setting(&format!("clock = {text}"))?;
+    ClockSetting::at(before, &value).ok_or_else(|| format!("{value} is no duration such as T#10ms"))
 }
 
 /// Parses a duration that is no less than none: its nanoseconds.

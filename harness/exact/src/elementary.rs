@@ -56,12 +56,14 @@ const OF_REALS: [&str; 10] = [
     "SQRT", "LN", "LOG", "EXP", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN",
 ];
 
-/// Returns the signatures of a standard function of one operand in a dialect, by its name in upper case: of ABS, NOT and the functions of one real
-/// number. Each gives the type of its operand. They are no conversions, so that [`crate::signatures`] does not have them.
+/// Returns the signatures of a standard function of one operand in a dialect, by its name in upper case: of ABS, NOT, LEN and the functions of one
+/// real number. LEN gives an INT, each of the others the type of its operand. They are no conversions, so that [`crate::signatures`] does not have
+/// them.
 pub fn elementary_signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
     let takes = |ty: &ElementaryType| match function {
         "ABS" => ty.is_number(),
         "NOT" => ty.is_bit_string(),
+        "LEN" => *ty == ElementaryType::String || ty.is_text() && dialect.rules().wide_text_functions,
         name => ty.is_real() && OF_REALS.contains(&name),
     };
     let has = |word: &str| !dialect.rules().lacks(&word.to_ascii_lowercase());
@@ -70,17 +72,22 @@ pub fn elementary_signatures(function: &str, dialect: DialectName) -> Vec<Signat
     let signature = |ty: ElementaryType| Signature {
         function: function.to_owned(),
         operands: vec![ty],
-        result: ty,
+        result: if ty.is_text() { ElementaryType::Int } else { ty },
         operation: Operation::Elementary,
     };
     types.map(signature).collect()
 }
 
 /// Returns the result of a function of [`elementary_signatures`], of a function of real numbers the nearest one; `None` where
-/// [`nearest_result`] has none, and for the ABS of what is no number.
+/// [`nearest_result`] has none, and for the ABS of what is no number. LEN gives the number of code units.
 pub fn elementary_result(signature: &Signature, operand: &Value) -> Option<Value> {
-    let &Value::Plain { ty, raw } = operand else {
-        return None;
+    let (ty, raw) = match operand {
+        Value::Plain { ty, raw } => (*ty, *raw),
+        Value::Text { units, .. } if signature.function == "LEN" => {
+            let length = integer::wrapped(units.len() as i128, signature.result);
+            return Some(Value::plain(signature.result, length));
+        }
+        _ => return None,
     };
     let result = match &*signature.function {
         "NOT" => ty.wrap(!i128::from(raw)),
@@ -118,6 +125,7 @@ pub(crate) fn elementary_basis(function: &str) -> &'static str {
     match function {
         "ABS" | "SQRT" => "iec-61131-3: Table 28",
         "NOT" => "iec-61131-3: Table 30",
+        "LEN" => "iec-61131-3: Table 34",
         _ => "rule: reals-within-units",
     }
 }

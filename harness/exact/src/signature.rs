@@ -44,7 +44,7 @@ pub enum Operation {
     ToBcd,
     /// A date and a time of day as one moment: `CONCAT_DATE_TOD` and its kin.
     Concatenate,
-    /// A standard function of one operand: ABS, NOT, SQRT and the other functions of real numbers.
+    /// A standard function of one operand: ABS, NOT, LEN, SQRT and the other functions of real numbers.
     Elementary,
 }
 

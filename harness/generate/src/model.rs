@@ -15,7 +15,7 @@ pub use expression::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
     StandardFunction, UnaryOperator,
 };
-pub use lookup::{PathStep, subscripts};
+pub use lookup::{PathStep, instance_of, subscripts};
 pub use program::{
     ArrayType, DeclaredKind, InitialValue, Pou, Program, Type, TypeDeclaration, Unit, Variable, VariableId,
     VariableSection,

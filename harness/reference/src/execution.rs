@@ -15,5 +15,5 @@ mod stop;
 mod tests;
 
 pub use machine::Machine;
-pub use standard::UnaryFunction;
+pub use standard::{UnaryFunction, length};
 pub use stop::{Inconsistency, RaisedFault, Stop};

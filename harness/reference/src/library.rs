@@ -22,13 +22,14 @@ const TIME: &str = include_str!("../library/time.st");
 /// The blocks of systems whose inputs are called SET and RESET.
 const SET_AND_RESET: &str = include_str!("../library/set_reset.st");
 
-/// The standard functions and function blocks, and the operators of systems with the form of a call or a type, that are not implemented.
+/// The standard functions, function blocks and generic types, and the operators of systems with the form of a call or a type, that are not implemented.
 ///
 /// Basis: iec-61131-3: Tables 22 to 46; codesys-pages: _cds_keywords; strucpp-tests: st-validation/data_types/time_types.st;
 /// rusty-lit-tests: tests/lit/single/polymorphism/fnptr; ironplc-repository: compiler/sources/resources/libs.
 const NOT_IMPLEMENTED: &str = "BITADR INDEXOF RTC TEST_AND_SET XSIZEOF __COMPARE_AND_SWAP __CURRENTTASK __DELETE __FPOINTER __MOD \
                                __NEW __POOL __POSITION __POUNAME __QUERYINTERFACE __QUERYPOINTER __TRUNC __VARINFO __VECTOR __VOID \
-                               __XADD TIME_TO_NS TIME_TO_S TIME_TO_US";
+                               __XADD TIME_TO_NS TIME_TO_S TIME_TO_US ANY ANY_BIT ANY_CHARS ANY_DATE ANY_DURATION ANY_ELEMENTARY \
+                               ANY_INT ANY_MAGNITUDE ANY_NUM ANY_REAL ANY_SIGNED ANY_STRING ANY_UNSIGNED";
 
 /// Returns whether a name, in any case, is that of a standard function or function block that is not implemented.
 pub(crate) fn is_not_implemented(name: &str) -> bool {
@@ -76,7 +77,13 @@ pub(crate) fn with_blocks(
     let named = undeclared.filter_map(|one| one.span.text(source).rsplit('.').next());
     let named = named.map(str::to_ascii_uppercase);
     let named: BTreeSet<String> = named.collect();
-    let has = |name: &&String| standard_block(name).is_none_or(|feature| !dialect.lacks(feature));
+    let has_block = |name: &str| standard_block(name).is_none_or(|feature| !dialect.lacks(feature));
+    // The text of TON_LTIME cannot be read where there is no LTIME.
+    let has_types = |name: &str| {
+        let mut types = name.split('_').filter_map(ElementaryType::from_name);
+        types.all(|ty| dialect.may_name(ty))
+    };
+    let has = |name: &&String| has_block(name) && has_types(name);
     let blocks = named.iter().filter(has).filter_map(|name| block(name, dialect));
     let blocks: Vec<String> = blocks.collect();
     let clocks = CLOCKS.iter().filter(|(_, clock)| {

@@ -18,4 +18,4 @@ pub use duration::{UNITS as DURATION_UNITS, duration, wide_duration, write_milli
 pub use error::LiteralError;
 pub use number::{integer, unsigned_integer};
 pub use real::{real, write_real};
-pub use text::{text, write_text};
+pub use text::{characters, text, write_text};

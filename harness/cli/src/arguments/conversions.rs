@@ -73,8 +73,8 @@ pub struct ContradictionsArguments {
 /// `stickler sweep`.
 #[derive(Args, Debug)]
 pub struct SweepArguments {
-    /// A conversion function such as DINT_TO_INT, or ABS, NOT, SQRT, LN, LOG, EXP, SIN, COS, TAN, ASIN, ACOS, ATAN; one that takes several types is swept for
-    /// each
+    /// A conversion function such as DINT_TO_INT, or ABS, NOT, LEN, SQRT, LN, LOG, EXP, SIN, COS, TAN, ASIN, ACOS, ATAN; one that takes several types is swept
+    /// for each
     #[arg(value_name = "FUNCTION")]
     pub function: String,
     /// Only this dialect; may be repeated [default: all that have the function; equal rules are swept once]

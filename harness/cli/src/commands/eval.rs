@@ -75,10 +75,10 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     }
 }
 
-/// Returns the time before each scan, where some passes between them.
+/// Returns the times before scans, where some passes between them.
 fn clock(arguments: &EvalArguments) -> anyhow::Result<Vec<ClockSetting>> {
     let Some(cycle) = arguments.cycle else {
-        return Ok(Vec::new());
+        return Ok(arguments.clock.clone());
     };
     ensure!(
         arguments.scans <= MAX_TIMED_SCANS,

@@ -33,7 +33,9 @@ impl Sweep {
     pub(crate) fn exact(&self, operands: &[Value]) -> Option<Value> {
         match (self.signature.operation, operands) {
             (Operation::Elementary, [operand]) => match elementary_result(&self.signature, operand)? {
-                Value::Plain { ty, raw } if !matches!(&*self.signature.function, "ABS" | "NOT" | "SQRT") => {
+                Value::Plain { ty, raw }
+                    if ty.is_real() && !matches!(&*self.signature.function, "ABS" | "SQRT") =>
+                {
                     let units = UNITS;
                     Some(Value::Near { ty, raw, units })
                 }
@@ -80,7 +82,7 @@ impl SweepMethod {
         // The nearest result of the others takes a millisecond.
         let is_quick = matches!(
             (&*signature.function, signature.result),
-            ("ABS" | "NOT", _) | ("SQRT", ElementaryType::Real)
+            ("ABS" | "NOT" | "LEN", _) | ("SQRT", ElementaryType::Real)
         );
         let is_slow = signature.operation == Operation::Elementary && !is_quick;
         match signature.operands[..] {
@@ -165,7 +167,7 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
             _ => kept.out_of_range = choices.out_of_range,
         }
     }
-    if text {
+    if text && signature.operation == Operation::Convert {
         kept.text_reading = choices.text_reading;
     }
     if signature.result.is_text() && real {

@@ -3,7 +3,7 @@
 use crate::sweep::converter::Converter;
 use stickler_exact::{Operation, Signature};
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
-use stickler_reference::execution::UnaryFunction;
+use stickler_reference::execution::{UnaryFunction, length};
 use stickler_types::Dialect;
 use stickler_types::{DialectName, ElementaryType, Value};
 
@@ -81,6 +81,8 @@ impl Converter for ReferenceFunction {
             (ReferenceFunctionKind::Standard(function), [Value::Plain { raw, .. }]) => {
                 plain(function.apply(*raw))
             }
+            // LEN alone takes a text.
+            (ReferenceFunctionKind::Standard(_), [Value::Text { units, .. }]) => plain(length(units)),
             // No domain has other operands.
             _ => plain(0),
         }

@@ -23,6 +23,7 @@ fn spoiled(error: &str, operand: u64, right: u64) -> u64 {
         "a digit above nine" if operand & 0xF > 9 => 0,
         "a digit above nine" => right,
         "a lost digit" => right & 0x7F,
+        "a text of which only the beginning counts" => right.min(80),
         "a boolean that looks at one bit only" => operand & 1,
         _ => right + 1,
     }

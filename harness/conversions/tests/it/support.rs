@@ -51,6 +51,9 @@ impl<F: Fn(u64, u64) -> u64 + Sync> Converter for Spoilt<'_, F> {
                     .map(|unit| (self.spoil)(*operand, (*unit).into()) as u16);
                 Value::text(ty, spoilt.collect())
             }
+            ([Value::Text { units, .. }], Value::Plain { ty, raw }) => {
+                Value::plain(ty, (self.spoil)(units.len() as u64, raw))
+            }
             (_, right) => right,
         }
     }

@@ -148,14 +148,13 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
     assert_eq!(evaluate(&with(raw), 1), Err(EvaluationError::Raw));
     let mut recursive = with(set(call(0)));
     recursive.functions.push(Pou {
-        standard: false,
         name: "f".to_owned(),
         result: Some(Type::Elementary(Int)),
-        variables: Vec::new(),
         body: vec![Statement::Assign(
             AssignmentTarget::Result,
             Expression::elementary(Int, call(0)),
         )],
+        ..Pou::default()
     });
     assert!(matches!(
         evaluate(&recursive, 1),

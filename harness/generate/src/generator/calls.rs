@@ -4,7 +4,9 @@ use super::TypeContext;
 use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
 use super::profile::{ConversionOffer, ResultCoverage};
-use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
+use crate::model::{
+    Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId, instance_of,
+};
 use stickler_exact::{Operation, Signature, expected};
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -135,9 +137,12 @@ impl ProgramBuilder<'_, '_> {
     /// Generates a call of a function of the program with this result type.
     pub fn call(&mut self, ty: &Type, depth: usize) -> Option<Expression> {
         let functions = self.program.functions.iter().enumerate();
+        let has_instance = |block| instance_of(&self.pou.variables, block).is_some();
         let suits: Vec<usize> = functions
             .filter(|&(place, function)| {
-                function.result.as_ref() == Some(ty) && self.affords(self.function_costs[place])
+                function.result.as_ref() == Some(ty)
+                    && self.affords(self.function_costs[place])
+                    && function.owner.is_none_or(has_instance)
             })
             .map(|(place, _)| place)
             .collect();

@@ -69,6 +69,8 @@ pub(super) enum Construct {
     Deep,
     /// Deeply nested statements.
     Nested,
+    /// Methods of the function blocks of the program.
+    Methods,
 }
 
 /// The constructs that a program may have to do without, with the features of the language that are forms of each, or that each of
@@ -94,6 +96,9 @@ const FORMS: &[(Construct, &[&str])] = &[
     (Construct::Repeat, &["repeat"]),
     (Construct::Exit, &["exit"]),
     (Construct::Return, &["return"]),
+    (Construct::Methods, &["method"]),
+    (Construct::Methods, &["method-call"]),
+    (Construct::Methods, &["access-specifier"]),
 ];
 
 /// The set of constructs of one program.

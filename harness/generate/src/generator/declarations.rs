@@ -58,7 +58,7 @@ impl ProgramBuilder<'_, '_> {
         };
         let initial = match ty {
             Type::Elementary(ty) if needs_initial(ty) || self.wants_initial() => {
-                Some(self.initial_literal(ty))
+                Some(self.literal(ty, TypeContext::Initial))
             }
             _ => None,
         };
@@ -122,14 +122,20 @@ impl ProgramBuilder<'_, '_> {
         for ty in self.palette.clone() {
             self.declare_local(Type::Elementary(ty));
         }
-        for _ in 0..1 + self.random.below(5) {
-            let ty = self.variable_type();
-            self.declare_local(ty);
-        }
+        let locals = 1 + self.random.below(5);
+        self.locals(locals);
         for block in 0..self.program.blocks.len() {
             for _ in 0..=self.random.below(2) {
                 self.declare_instance(block);
             }
+        }
+    }
+
+    /// Declares so many local variables of any types.
+    pub fn locals(&mut self, count: usize) {
+        for _ in 0..count {
+            let ty = self.variable_type();
+            self.declare_local(ty);
         }
     }
 
@@ -209,7 +215,8 @@ impl ProgramBuilder<'_, '_> {
             Type::Elementary(ty) => Some(InitialValue::Expression(self.initial_value(ty))),
             Type::Array(array) => match array.element {
                 Type::Elementary(ty) => {
-                    let values = (0..subscripts(&array.dimensions).len()).map(|_| self.initial_literal(ty));
+                    let values = (0..subscripts(&array.dimensions).len())
+                        .map(|_| self.literal(ty, TypeContext::Initial));
                     Some(InitialValue::Array(values.collect()))
                 }
                 _ => None,
@@ -236,7 +243,7 @@ impl ProgramBuilder<'_, '_> {
         let mut values = Vec::new();
         for (field, ty) in elementary_fields {
             if values.is_empty() || self.random.chance(2, 3) {
-                values.push((field, self.initial_literal(ty)));
+                values.push((field, self.literal(ty, TypeContext::Initial)));
             }
         }
         (!values.is_empty()).then_some(InitialValue::Structure(values))
@@ -251,10 +258,6 @@ impl ProgramBuilder<'_, '_> {
             let literal = Expression::literal(from, value, LiteralForm::Typed);
             return Expression::widened(Type::Elementary(ty), literal);
         }
-        self.initial_literal(ty)
-    }
-
-    fn initial_literal(&mut self, ty: ElementaryType) -> Expression {
         self.literal(ty, TypeContext::Initial)
     }
 

@@ -1,4 +1,4 @@
-//! Generation of functions and function blocks.
+//! Generation of functions, function blocks and methods.
 
 use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
@@ -16,34 +16,51 @@ impl ProgramBuilder<'_, '_> {
             return;
         }
         for number in 0..=self.random.below(3) {
-            // A text result could grow from call to call, and no document states on which day dates begin.
-            let result = match self.small_type() {
-                Type::Elementary(ty) if ty.is_text() || ty.is_date_or_time() => {
-                    Type::Elementary(ElementaryType::Int)
-                }
-                ty => ty,
-            };
-            let most = 1 + self.random.below(MAX_STATEMENTS);
-            self.begin(most);
-            for _ in 0..=self.random.below(3) {
-                let ty = self.small_type();
-                let initial = self.initial(&ty);
-                self.declare_variable("in", ty, VariableSection::Input, initial);
+            self.function(format!("Fun{number}"), None);
+        }
+    }
+
+    /// Generates a function, or a method of a function block.
+    fn function(&mut self, name: String, owner: Option<usize>) {
+        // A text result could grow from call to call, and no document states on which day dates begin.
+        let result = match self.small_type() {
+            Type::Elementary(ty) if ty.is_text() || ty.is_date_or_time() => {
+                Type::Elementary(ElementaryType::Int)
             }
-            for _ in 0..self.random.below(3) {
-                let ty = self.variable_type();
-                self.declare_local(ty);
-            }
-            let mut body = self.body(most);
-            body.extend(self.result(&result));
-            self.function_costs.push(self.pou.cost);
-            self.program.functions.push(Pou {
-                name: format!("Fun{number}"),
-                result: Some(result),
-                standard: false,
-                variables: std::mem::take(&mut self.pou.variables),
-                body,
-            });
+            ty => ty,
+        };
+        let most = 1 + self.random.below(MAX_STATEMENTS);
+        self.begin(most);
+        let inputs = 1 + self.random.below(3);
+        self.parameters("in", VariableSection::Input, inputs);
+        let locals = self.random.below(3);
+        self.locals(locals);
+        let mut body = self.body(most);
+        body.extend(self.result(&result));
+        self.function_costs.push(self.pou.cost);
+        let mut variables = std::mem::take(&mut self.pou.variables);
+        if owner.is_some() {
+            // No variable of a method hides one of its block.
+            variables
+                .iter_mut()
+                .for_each(|variable| variable.name.insert_str(0, "m_"));
+        }
+        self.program.functions.push(Pou {
+            name,
+            result: Some(result),
+            owner,
+            variables,
+            body,
+            ..Pou::default()
+        });
+    }
+
+    /// Declares so many inputs or outputs.
+    fn parameters(&mut self, stem: &str, section: VariableSection, count: usize) {
+        for _ in 0..count {
+            let ty = self.small_type();
+            let initial = self.initial(&ty);
+            self.declare_variable(stem, ty, section, initial);
         }
     }
 
@@ -77,7 +94,7 @@ impl ProgramBuilder<'_, '_> {
         }
     }
 
-    /// Generates the function blocks, each of which may have instances of earlier ones.
+    /// Generates the function blocks with their methods; each may have instances of earlier ones.
     pub fn blocks(&mut self) {
         if !self.has(Construct::Blocks) {
             return;
@@ -85,23 +102,15 @@ impl ProgramBuilder<'_, '_> {
         for number in 0..=self.random.below(2) {
             let most = 2 + self.random.below(MAX_STATEMENTS);
             self.begin(most);
-            for _ in 0..self.random.below(3) {
-                let ty = self.small_type();
-                let initial = self.initial(&ty);
-                self.declare_variable("in", ty, VariableSection::Input, initial);
-            }
+            let inputs = self.random.below(3);
+            self.parameters("in", VariableSection::Input, inputs);
             if self.random.chance(1, 2) {
                 self.declare_in_out();
             }
-            for _ in 0..=self.random.below(2) {
-                let ty = self.small_type();
-                let initial = self.initial(&ty);
-                self.declare_variable("out", ty, VariableSection::Output, initial);
-            }
-            for _ in 0..=self.random.below(3) {
-                let ty = self.variable_type();
-                self.declare_local(ty);
-            }
+            let outputs = 1 + self.random.below(2);
+            self.parameters("out", VariableSection::Output, outputs);
+            let locals = 1 + self.random.below(3);
+            self.locals(locals);
             if !self.program.blocks.is_empty() && self.random.chance(1, 3) {
                 let block = self.random.below(self.program.blocks.len());
                 self.declare_instance(block);
@@ -110,11 +119,16 @@ impl ProgramBuilder<'_, '_> {
             self.block_costs.push(self.pou.cost);
             self.program.blocks.push(Pou {
                 name: format!("Block{number}"),
-                result: None,
-                standard: false,
                 variables: std::mem::take(&mut self.pou.variables),
                 body,
+                ..Pou::default()
             });
+            if self.has(Construct::Methods) {
+                let owner = self.program.blocks.len() - 1;
+                for _ in 0..=self.random.below(3) {
+                    self.function(format!("Met{}", self.program.functions.len()), Some(owner));
+                }
+            }
         }
     }
 

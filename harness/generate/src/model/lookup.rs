@@ -166,6 +166,12 @@ impl Pou {
     }
 }
 
+/// Returns a variable that is an instance of a function block; `None` where none of these is.
+pub fn instance_of(variables: &[Variable], block: usize) -> Option<&Variable> {
+    let mut variables = variables.iter();
+    variables.find(|variable| variable.ty == Type::Block(block))
+}
+
 /// Returns the subscripts of every element of an array with these dimensions, the last subscript varying fastest.
 pub fn subscripts(dimensions: &[(i64, i64)]) -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];

@@ -12,7 +12,7 @@ pub struct Program {
     pub dialect: DialectName,
     /// The declared types (TYPE … END_TYPE).
     pub types: Vec<TypeDeclaration>,
-    /// The functions; each calls only earlier ones.
+    /// The functions, and behind them the methods of function blocks; each calls only earlier functions.
     pub functions: Vec<Pou>,
     /// The function blocks, the standard ones that are used among them; each has instances only of earlier ones.
     pub blocks: Vec<Pou>,
@@ -56,6 +56,8 @@ pub struct Pou {
     pub name: String,
     /// The type of the result of a function, whose value starts as the default of that type; `None` for any other unit.
     pub result: Option<Type>,
+    /// The function block, by its index, of which a function is a method; it uses none of the variables there.
+    pub owner: Option<usize>,
     /// Whether it is a standard function block, of which the program has no text.
     pub standard: bool,
     /// The variables. In a function the inputs come first, in the order of a positional call; those of a function block keep
@@ -168,7 +170,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Returns every unit of which the text has variables and statements, in its order.
+    /// Returns every unit of which the text has variables and statements, the methods before all function blocks.
     #[must_use]
     pub fn all(program: &Program) -> Vec<Unit> {
         let functions = (0..program.functions.len()).map(Unit::Function);
@@ -205,11 +207,5 @@ impl Unit {
     #[must_use]
     pub fn variables(self, program: &Program) -> &[Variable] {
         self.pou(program).map_or(&[], |pou| &pou.variables)
-    }
-
-    /// Returns the statements of the unit; an empty slice if the program has no such unit.
-    #[must_use]
-    pub fn body(self, program: &Program) -> &[Statement] {
-        self.pou(program).map_or(&[], |pou| &pou.body)
     }
 }

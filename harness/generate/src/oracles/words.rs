@@ -7,7 +7,7 @@
 /// Hashes the words and marks of `text` regardless of their order.
 ///
 /// Names, keywords and numbers are case-insensitive, character strings are not. Left out is what a rendering may choose:
-/// blanks, comments (which may be `nested`), pragmas, semicolons; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
+/// blanks, comments (which may be `nested`), pragmas, semicolons, a comma before the end of a list; `&` counts as AND, `.%X3` as `.3`, and a bracket as a
 /// parenthesis, since the length of a text may be written between either.
 pub(super) fn census(text: &str, nested: bool) -> u64 {
     SourceWords::new(text, nested).fold(0, |sum: u64, word| sum.wrapping_add(word.hash()))
@@ -114,6 +114,17 @@ impl<'t> SourceWords<'t> {
         true
     }
 
+    /// Skips what stands between words.
+    fn skip_between(&mut self) {
+        loop {
+            let blank = position(self.rest, |byte| !byte.is_ascii_whitespace() && byte != b';');
+            self.take(blank);
+            if !self.skip_remark() {
+                return;
+            }
+        }
+    }
+
     /// Returns the length of a comment with these delimiters.
     fn block(&self, opening: &[u8; 2], closing: &[u8; 2]) -> usize {
         let (mut at, mut depth) = (2, 1);
@@ -171,11 +182,12 @@ impl<'t> Iterator for SourceWords<'t> {
     type Item = SourceWord<'t>;
 
     fn next(&mut self) -> Option<SourceWord<'t>> {
-        loop {
-            let blank = position(self.rest, |byte| !byte.is_ascii_whitespace() && byte != b';');
-            self.take(blank);
-            if !self.skip_remark() {
-                break;
+        self.skip_between();
+        if let Some(rest) = self.rest.strip_prefix(b",") {
+            let comma = std::mem::replace(&mut self.rest, rest);
+            self.skip_between();
+            if !self.rest.starts_with(b")") {
+                self.rest = comma;
             }
         }
         let first = *self.rest.first()?;
@@ -219,8 +231,8 @@ mod tests {
 
     #[test]
     fn what_a_rendering_may_choose_does_not_count() {
-        let text = "x := a.%X03 & b; (* it's (* nested *) *) { p } s := 'a;''(*' // end";
-        let rendered = "X:=A.3 AND B S := 'a;''(*'";
+        let text = "x := a.%X03 & f(b, {} ); (* it's (* nested *) *) { p } s := 'a;''(*' // end";
+        let rendered = "X:=A.3 AND F(B) S := 'a;''(*'";
         assert_eq!(missing(text, rendered, true), [""; 0]);
         assert_eq!(census(text, true), census(rendered, true));
     }

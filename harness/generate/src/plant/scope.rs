@@ -86,7 +86,7 @@ pub(super) struct NamedPlace {
 /// Returns every part of the variables of a unit; of arrays the element with the lowest subscripts.
 pub(super) fn places(program: &Program, unit: Unit) -> Vec<NamedPlace> {
     let mut found = Vec::new();
-    let controlled = controlled(unit.body(program));
+    let controlled = controlled(unit.pou(program).map_or(&[], |pou| &pou.body));
     for (number, variable) in unit.variables(program).iter().enumerate() {
         let id = VariableId(number);
         let place = Place::whole(id, variable.ty.clone());

@@ -6,7 +6,7 @@ use crate::model::{
     ArrayType, DeclaredKind, InitialValue, Pou, Type, TypeDeclaration, Variable, VariableSection, subscripts,
 };
 use stickler_syntax::tree::{
-    self, Declaration, ExpressionId, Initializer, InitializerKind, Name, PouKind, TypeSpecification,
+    self, Access, Declaration, ExpressionId, Initializer, InitializerKind, Name, PouKind, TypeSpecification,
     TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::ElementaryType;
@@ -26,7 +26,7 @@ impl<'t> Reader<'t> {
                 }
                 Declaration::Pou(pou) => {
                     programs += usize::from(pou.kind == PouKind::Program);
-                    self.pou(pou)?;
+                    self.pou(pou, None)?;
                 }
                 _ => return None,
             }
@@ -97,8 +97,12 @@ impl<'t> Reader<'t> {
         declared.map(Type::Declared).or_else(|| block().map(Type::Block))
     }
 
-    fn pou(&mut self, pou: &'t tree::Pou<'t>) -> Option<()> {
-        if pou.is_object() {
+    /// Reads a unit; a method with the function block that owns it.
+    fn pou(&mut self, pou: &'t tree::Pou<'t>, owner: Option<usize>) -> Option<()> {
+        let is_public = pou.modifiers.access == owner.map(|_| Access::Public);
+        let is_plain = is_public && pou.modifiers.words().next().is_none();
+        let has_members = pou.kind == PouKind::FunctionBlock || pou.members.is_empty();
+        if !is_plain || !has_members || !pou.extends.is_empty() || !pou.implements.is_empty() {
             return None;
         }
         self.variables.clear();
@@ -114,9 +118,10 @@ impl<'t> Reader<'t> {
         let read = Pou {
             name,
             result: self.function.take().map(|(_, result)| result),
-            standard: false,
+            owner,
             variables: std::mem::take(&mut self.variables),
             body,
+            ..Pou::default()
         };
         match (pou.kind, &read.result) {
             (PouKind::Program, None) if pou.name.is("main") => {
@@ -125,8 +130,13 @@ impl<'t> Reader<'t> {
                     ..read
                 };
             }
-            (PouKind::FunctionBlock, None) => self.program.blocks.push(read),
-            (PouKind::Function, Some(_)) => self.program.functions.push(read),
+            (PouKind::FunctionBlock, None) => {
+                let owner = self.program.blocks.len();
+                self.program.blocks.push(read);
+                let mut members = pou.members.iter();
+                return members.try_for_each(|member| self.pou(member, Some(owner)));
+            }
+            (PouKind::Function | PouKind::Method, Some(_)) => self.program.functions.push(read),
             _ => return None,
         }
         Some(())

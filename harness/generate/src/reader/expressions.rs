@@ -92,6 +92,12 @@ impl Reader<'_> {
             }
             tree::ExpressionKind::Call { callee, arguments } => match &self.unit.expression(*callee)?.kind {
                 tree::ExpressionKind::Name(name) => self.call(name, arguments),
+                tree::ExpressionKind::Field { base, field } => {
+                    let Type::Block(block) = self.place(*base)?.ty else {
+                        return None;
+                    };
+                    self.called(self.function(Some(block), field)?, arguments)
+                }
                 _ => None,
             },
             tree::ExpressionKind::Unary { operator, operand } => self.unary(*operator, *operand),
@@ -241,9 +247,14 @@ impl Reader<'_> {
         Some(Expression::binary(operator, left, right, result))
     }
 
+    /// Returns the function with a name, or the method of a function block.
+    fn function(&self, owner: Option<usize>, name: &Name<'_>) -> Option<usize> {
+        let mut functions = self.program.functions.iter();
+        functions.position(|one| one.owner == owner && name.is(&one.name))
+    }
+
     fn call(&self, name: &Name<'_>, arguments: &[tree::Argument<'_>]) -> Option<Expression> {
-        let functions = self.program.functions.iter();
-        if let Some(function) = named(functions.map(|one| &one.name), name.text) {
+        if let Some(function) = self.function(None, name) {
             return self.called(function, arguments);
         }
         let positional = arguments.iter().map(|argument| match argument {

@@ -20,13 +20,9 @@ pub fn write(program: &Program, style: &Style) -> WrittenProgram {
     let mut writer = SourceWriter::new(program, *style);
     writer.types(&program.types);
     for unit in Unit::all(program) {
-        let keyword = match unit {
-            Unit::Function(_) => "FUNCTION",
-            Unit::Block(_) => "FUNCTION_BLOCK",
-            Unit::Main | Unit::Types => "PROGRAM",
-        };
-        if let Some(pou) = unit.pou(program) {
-            writer.pou(keyword, pou);
+        if let Some(pou) = unit.pou(program).filter(|pou| pou.owner.is_none()) {
+            writer.pou(unit, pou);
+            writer.new_line();
         }
     }
     WrittenProgram {
@@ -36,10 +32,20 @@ pub fn write(program: &Program, style: &Style) -> WrittenProgram {
 }
 
 impl<'p> SourceWriter<'p> {
-    fn pou(&mut self, keyword: &str, pou: &'p Pou) {
+    fn pou(&mut self, unit: Unit, pou: &'p Pou) {
+        let keyword = match unit {
+            Unit::Function(_) if pou.owner.is_some() => "METHOD",
+            Unit::Function(_) => "FUNCTION",
+            Unit::Block(_) => "FUNCTION_BLOCK",
+            Unit::Main | Unit::Types => "PROGRAM",
+        };
         self.pou = pou;
         self.word(keyword);
         self.blank();
+        if pou.owner.is_some() {
+            self.word("PUBLIC");
+            self.blank();
+        }
         self.put(&pou.name);
         if let Some(result) = &pou.result {
             self.between_blanks(":");
@@ -48,10 +54,24 @@ impl<'p> SourceWriter<'p> {
         for section in pou.variables.chunk_by(|one, next| one.section == next.section) {
             self.section(section);
         }
+        if let Unit::Block(block) = unit {
+            self.methods(block);
+            self.pou = pou;
+        }
         self.statements(&pou.body);
         self.new_line();
         self.word(&format!("END_{keyword}"));
-        self.new_line();
+    }
+
+    /// Writes the methods of a function block.
+    fn methods(&mut self, block: usize) {
+        let functions = self.program.functions.iter().enumerate();
+        for (number, method) in functions.filter(|(_, function)| function.owner == Some(block)) {
+            self.deeper();
+            self.new_line();
+            self.pou(Unit::Function(number), method);
+            self.shallower();
+        }
     }
 
     fn section(&mut self, declared: &[Variable]) {

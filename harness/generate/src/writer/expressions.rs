@@ -4,7 +4,7 @@ use super::literals::begins_with_minus;
 use super::source_writer::SourceWriter;
 use crate::model::{
     Argument, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Type,
-    UnaryOperator, Variable,
+    UnaryOperator, Variable, instance_of,
 };
 use stickler_exact::signatures;
 
@@ -96,6 +96,13 @@ impl SourceWriter<'_> {
         };
         // Only a call with names can omit inputs.
         let named = self.style.named_arguments || arguments.len() < called.inputs().count();
+        // A method uses no variable of its block, so that any instance will do.
+        if let Some(block) = called.owner
+            && let Some(instance) = instance_of(&self.pou.variables, block)
+        {
+            self.put(&instance.name);
+            self.put(".");
+        }
         self.put(&called.name);
         self.put("(");
         self.list(arguments, |writer, argument| {

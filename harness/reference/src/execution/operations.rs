@@ -128,8 +128,8 @@ impl Machine<'_> {
         numbers: usize,
     ) -> Result<(), Halt> {
         if function == StandardFunction::Len {
-            let length = self.pop_text()?.len() as u64;
-            self.operands.push(narrow(length, ElementaryType::Int));
+            let length = standard::length(&self.pop_text()?);
+            self.operands.push(length);
             return Ok(());
         }
         if let StandardFunction::InOrder(operator) = function {

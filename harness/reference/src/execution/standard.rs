@@ -44,6 +44,12 @@ impl UnaryFunction {
     }
 }
 
+/// Returns what LEN gives for a text.
+#[must_use]
+pub fn length(text: &[u16]) -> u64 {
+    narrow(text.len() as u64, ElementaryType::Int)
+}
+
 /// The bits of a value, each inverted.
 pub(super) fn complement(value: u64, of: ElementaryType) -> u64 {
     narrow(!value, of)

@@ -178,15 +178,7 @@ impl<'m> Lowering<'m> {
         let expression = self.expression(id);
         match &expression.kind {
             ExpressionKind::Literal(literal) => {
-                let (negative, span) = (false, expression.span);
-                self.literal(
-                    Signed {
-                        literal,
-                        negative,
-                        span,
-                    },
-                    wanted,
-                )
+                self.literal(Signed::new(literal, false, expression.span), wanted)
             }
             ExpressionKind::Name(name) => self.name(id, *name, wanted),
             ExpressionKind::EnumeratedValue(word) => self.enumerated(word.prefix(), word.value()),
@@ -339,15 +331,7 @@ impl<'m> Lowering<'m> {
             && literal.prefix().is_none()
             && self.infer_literal(literal, true).is_untyped_number()
         {
-            let negative = true;
-            return self.literal(
-                Signed {
-                    literal,
-                    negative,
-                    span,
-                },
-                wanted,
-            );
+            return self.literal(Signed::new(literal, true, span), wanted);
         }
         let inferred = self.infer(operand);
         let dialect = self.model.source.dialect;

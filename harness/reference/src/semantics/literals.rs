@@ -24,7 +24,15 @@ pub(super) struct Signed<'u> {
     pub(super) span: Span,
 }
 
-impl Signed<'_> {
+impl<'u> Signed<'u> {
+    pub(super) const fn new(literal: &'u Literal<'u>, negative: bool, span: Span) -> Signed<'u> {
+        Signed {
+            literal,
+            negative,
+            span,
+        }
+    }
+
     fn refused(self, code: Code, message: String) -> SpannedDiagnostic {
         SpannedDiagnostic::new(code, self.span, message)
     }
@@ -139,10 +147,8 @@ pub(super) fn read_literal(
     dialect: &Dialect,
 ) -> Result<LiteralValue, SpannedDiagnostic> {
     match ty.family() {
-        _ if counts(ty) => {
-            integer_literal(signed, ty, text, dialect.literals_by_width).map(LiteralValue::Plain)
-        }
-        Family::Text | Family::Character => quoted_literal(signed, ty, text),
+        _ if counts(ty) => integer_literal(signed, ty, text, dialect).map(LiteralValue::Plain),
+        Family::Text | Family::Character => quoted_literal(signed, ty, text, dialect),
         Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => {
             read(signed, ty, dialect)
                 .or_else(|error| {
@@ -171,7 +177,7 @@ fn integer_literal(
     signed: Signed<'_>,
     ty: ElementaryType,
     text: &str,
-    by_width: bool,
+    dialect: &Dialect,
 ) -> Result<u64, SpannedDiagnostic> {
     let literal = signed.literal;
     let value = match literal.kind {
@@ -187,9 +193,9 @@ fn integer_literal(
     let (low, high) = ty.integer_range().unwrap_or((0, 0));
     // A number with the bits of the type, whatever its sign.
     let of_width = -(1_i128 << (ty.bits() - 1))..1_i128 << ty.bits();
-    let has_its_bits =
-        by_width && literal.prefix().is_none() && ty != ElementaryType::Bool && of_width.contains(&value);
-    if (low..=high).contains(&value) || has_its_bits {
+    let has_its_bits = dialect.literals_wrap || dialect.literals_by_width && of_width.contains(&value);
+    let stands_for_bits = has_its_bits && literal.prefix().is_none() && ty != ElementaryType::Bool;
+    if (low..=high).contains(&value) || stands_for_bits {
         return Ok(ty.wrap(value));
     }
     let written = quoted(signed.span.text(text));
@@ -201,15 +207,17 @@ fn quoted_literal(
     signed: Signed<'_>,
     ty: ElementaryType,
     text: &str,
+    dialect: &Dialect,
 ) -> Result<LiteralValue, SpannedDiagnostic> {
     let literal = signed.literal;
     let wide = matches!(ty, ElementaryType::Wstring | ElementaryType::Wchar);
-    if wide != (literal.kind == LiteralKind::DoubleByteText) {
+    let by_prefix = dialect.texts_by_prefix && literal.prefix().is_some();
+    if wide != (literal.kind == LiteralKind::DoubleByteText) && !by_prefix {
         let quotes = if wide { "double" } else { "single" };
         let message = format!("a literal of {} stands in {quotes} quotes", ty.name());
         return Err(signed.refused(Code::StringEncodingMismatch, message));
     }
-    match literal::text(literal.text()) {
+    match literal::characters(literal.text(), wide) {
         Ok(units) if ty.is_text() => Ok(LiteralValue::Text(units)),
         Ok(units) => match units[..] {
             [unit] => Ok(LiteralValue::Plain(unit.into())),
@@ -218,6 +226,10 @@ fn quoted_literal(
                 Err(signed.refused(Code::ConstantOverflow, message))
             }
         },
+        Err(LiteralError::Character { .. }) if dialect.utf8_texts => {
+            let message = "characters beyond Latin-1 in a STRING, which holds UTF-8, are not implemented";
+            Err(signed.refused(Code::NotImplemented, message.to_owned()))
+        }
         Err(error) => Err(misread(signed, ty, text, error)),
     }
 }

@@ -387,7 +387,7 @@ impl<'m> Lowering<'m> {
         LoweredValue::of(ElementaryType::Bool)
     }
 
-    /// Returns the type of a variable or the type that an operand of SIZEOF names.
+    /// Returns the type of a variable, of what a call gives, or the type that an operand of SIZEOF names.
     fn sized_type(&mut self, operand: ExpressionId) -> Option<TypeId> {
         if let ExpressionKind::Name(name) = self.expression(operand).kind
             && self.variable(name.text).is_none()
@@ -400,7 +400,10 @@ impl<'m> Lowering<'m> {
                 None => elementary.filter(|&ty| dialect.may_name(ty)).map(TypeId::of),
             };
         }
-        let ty = self.declared_type_of(operand)?;
+        let declared = self.declared_type_of(operand);
+        let is_address = declared.is_none() && self.infer(operand) == Inferred::Known(TypeId::ADDRESS);
+        let address = is_address && self.model.source.dialect.results_are_variables;
+        let ty = declared.or(address.then_some(TypeId::ADDRESS))?;
         Some(self.model.types.named_type(ty))
     }
 

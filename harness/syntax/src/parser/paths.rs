@@ -78,14 +78,18 @@ impl<'s> Parser<'s, '_> {
     fn call(&mut self, callee: ExpressionId) -> ParseResult<ExpressionId> {
         let mut height = self.height;
         let arguments = self.nested(|parser| {
-            let argument = |parser: &mut Self| {
-                let argument = parser.argument()?;
-                height = height.max(parser.height);
-                Ok(argument)
-            };
-            parser.bracketed(TokenKind::RightParen, |parser| match parser.kind() {
-                TokenKind::RightParen => Ok(Vec::new()),
-                _ => parser.list(argument),
+            parser.bracketed(TokenKind::RightParen, |parser| {
+                let mut arguments = Vec::with_capacity(1);
+                let may_end_with_comma = parser.dialect.comma_behind_arguments;
+                while parser.kind() != TokenKind::RightParen || !(arguments.is_empty() || may_end_with_comma)
+                {
+                    arguments.push(parser.argument()?);
+                    height = height.max(parser.height);
+                    if !parser.eat(TokenKind::Comma) {
+                        break;
+                    }
+                }
+                Ok(arguments)
             })
         })?;
         self.height = height;

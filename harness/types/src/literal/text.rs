@@ -17,11 +17,18 @@ use std::fmt;
 ///
 /// Basis: iec-61131-3: Tables 6 and 7 (character string literals and two-character combinations).
 pub fn text(quoted: &str) -> Result<Vec<u16>, LiteralError> {
+    characters(quoted, quoted.starts_with('"'))
+}
+
+/// Parses a character string as [`text`] does, but into units of which `wide` says whether they have two bytes.
+///
+/// # Errors
+/// Those of [`text`].
+pub fn characters(quoted: &str, wide: bool) -> Result<Vec<u16>, LiteralError> {
     let quote = match quoted.as_bytes().first() {
         Some(&quote @ (b'\'' | b'"')) => quote,
         _ => return Err(LiteralError::malformed(0, "a quote")),
     };
-    let wide = quote == b'"';
     let mut units = Vec::with_capacity(quoted.len().saturating_sub(2));
     let mut rest = quoted[1..].char_indices();
     while let Some((index, character)) = rest.next() {
@@ -30,7 +37,7 @@ pub fn text(quoted: &str) -> Result<Vec<u16>, LiteralError> {
             return match rest.as_str() {
                 "" => Ok(units),
                 // Only a dialect with `doubled-apostrophes` makes one literal of this.
-                more if !wide && more.starts_with('\'') => {
+                more if quote == b'\'' && more.starts_with('\'') => {
                     units.push(u16::from(quote));
                     rest.next();
                     continue;
@@ -40,7 +47,10 @@ pub fn text(quoted: &str) -> Result<Vec<u16>, LiteralError> {
         }
         if character == '$' {
             let (unit, length) =
-                escape(&quoted.as_bytes()[at + 1..], wide).ok_or(LiteralError::Escape { at })?;
+                escape(&quoted.as_bytes()[at + 1..], quote == b'"').ok_or(LiteralError::Escape { at })?;
+            if !wide && unit > 0xFF {
+                return Err(LiteralError::Character { at });
+            }
             units.push(unit);
             // An escape is made of ASCII characters only, so its length in bytes is its length in characters.
             rest.nth(length - 1);

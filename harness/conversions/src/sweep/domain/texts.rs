@@ -1,4 +1,4 @@
-//! Texts for the functions that parse them: error-prone ones written by hand, and generated number-like ones.
+//! Texts for the functions that parse or measure them: error-prone ones written by hand, one of each length, and generated number-like ones.
 
 use std::sync::LazyLock;
 use stickler_types::{ElementaryType, SplitMix64};
@@ -18,9 +18,12 @@ pub fn by_hand(ty: ElementaryType) -> Vec<Vec<u16>> {
         "9007199254740993.00000000000000000000001".to_owned(),
     ];
     let short = SHORT.lines().map(shown);
+    let units = |text: String| text.encode_utf16().collect();
+    let of_length = |length| (0..length).map(|at| LIMITS[at % LIMITS.len()]).collect();
     short
-        .chain(long)
-        .map(|text| text.encode_utf16().collect())
+        .map(units)
+        .chain((0..=MAX_LENGTH).map(of_length))
+        .chain(long.into_iter().map(units))
         .chain(wide(ty))
         .collect()
 }
@@ -37,6 +40,12 @@ fn wide(ty: ElementaryType) -> Vec<Vec<u16>> {
         _ => vec![vec![0x31, 0xA0], vec![0xFF]],
     }
 }
+
+/// The length of the longest text that every system holds in a STRING that is declared for it.
+const MAX_LENGTH: usize = 254;
+
+/// The first and the last printable characters of ASCII and of a single byte, of which there is a text of each length.
+const LIMITS: [u16; 4] = [0x20, 0x7E, 0xA0, 0xFF];
 
 /// Texts written by hand, one a line; [`shown`] says how blanks stand in them.
 const SHORT: &str = include_str!("texts.txt");

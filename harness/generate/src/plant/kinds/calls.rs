@@ -113,6 +113,7 @@ fn callable(program: &Program, unit: Unit) -> Vec<&Pou> {
     };
     let functions = program.functions.iter().take(before);
     functions
+        .filter(|function| function.owner.is_none())
         .filter(|function| {
             let others = function.variables.iter();
             let needed = others.filter(|variable| {
@@ -176,15 +177,11 @@ pub(super) fn call(fault: &mut FaultSite<'_, '_>, arguments: &str) -> Option<()>
 /// Basis: language/diagnostics-recursion.st (the call is the line).
 pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
+    let callable = callable(original, Unit::Main);
     let numbers = (0..original.functions.len()).filter(|&number| {
         let function = &original.functions[number];
-        function
-            .result
-            .as_ref()
-            .is_some_and(|ty| elementary(original, ty).is_some())
-            && callable(original, Unit::Main)
-                .iter()
-                .any(|other| other.name == function.name)
+        let result = function.result.as_ref();
+        result.is_some_and(|ty| elementary(original, ty).is_some()) && callable.contains(&function)
     });
     let number = fault.choose(numbers.collect())?;
     let function = fault.program.functions.get_mut(number)?;

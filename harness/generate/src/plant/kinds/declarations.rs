@@ -38,7 +38,9 @@ pub(super) fn instance_in_function(fault: &mut FaultSite<'_, '_>) -> Option<()> 
     if fault.original.dialect.rules().blocks_in_functions {
         return None;
     }
-    let number = fault.choose((0..fault.original.functions.len()).collect())?;
+    let functions = fault.original.functions.iter().enumerate();
+    let functions = functions.filter(|(_, function)| function.owner.is_none());
+    let (number, _) = fault.choose(functions.collect())?;
     let block = fault.choose(fault.original.blocks.iter().collect())?;
     let text = format!("{PLANTED}_one : {}", block.name);
     fault.declare_text(Unit::Function(number), &text, VariableSection::Local)

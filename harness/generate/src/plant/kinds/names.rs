@@ -122,7 +122,8 @@ fn other_case(name: &str) -> Option<String> {
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let function = fault.choose(fault.original.functions.iter().collect())?;
+    let functions = fault.original.functions.iter();
+    let function = fault.choose(functions.filter(|one| one.owner.is_none()).collect())?;
     again(fault, function, &function.name)
 }
 
@@ -152,7 +153,7 @@ pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: ironplc-problem-codes: P4011.
 pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let function = original.functions.last()?;
+    let function = original.functions.iter().rfind(|one| one.owner.is_none())?;
     let declaration = fault.choose(original.types.iter().collect())?;
     again(fault, function, &declaration.name)
 }

@@ -33,6 +33,7 @@ enum Dialects {
     NoPartialAccess,
     OwnTypes,
     PartialAccess,
+    SingleByteTexts,
 }
 
 impl Dialects {
@@ -44,6 +45,7 @@ impl Dialects {
             Dialects::NoPartialAccess => dialect.partial_access == PartialAccess::Disabled,
             Dialects::OwnTypes => dialect.operands != OperandTypes::Promoted && !dialect.literals_by_width,
             Dialects::PartialAccess => name.rules().documents.partial_access,
+            Dialects::SingleByteTexts => !dialect.utf8_texts,
         }
     }
 }
