@@ -1,21 +1,23 @@
 //! The title of a cause: what the engine does, in the words in which developers of compilers report defects, and the line of the
 //! program that shows it.
 
+mod wrong_value;
+
+#[cfg(test)]
+pub(crate) use wrong_value::condition;
+
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::differing_lines;
 use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
-use crate::patterns::is_no_moment;
-use crate::program::{Part, Program, ReadProgram};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{LOOPS, has_word, tokens, words};
-use crate::work::operations;
+use crate::words::{LOOPS, has_word, words};
 use stickler_engines::OTHER_TYPE;
 use stickler_reference::errors;
-use stickler_run::{Fact, Symptom};
-use stickler_syntax::token::TokenKind;
+use stickler_run::{Fact, Reduced, Symptom};
+use stickler_syntax::source::Span;
 use stickler_syntax::tree::Pou;
-use stickler_syntax::visitor::Place;
 use stickler_types::{Code, Diagnostic, DialectName};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
@@ -29,7 +31,12 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         got,
         has_codes,
     };
-    titled.sentence(&smallest.deviation.sign.symptom)
+    let told = titled.sentence(&smallest.deviation.sign.symptom);
+    // What nothing uses stays in a small program because it matters.
+    let beside = titled
+        .unused_type()
+        .filter(|_| smallest.reduction == Reduced::Smallest);
+    beside.map_or(told.clone(), |code| format!("{told}, beside `{}`", clipped(code)))
 }
 
 /// A small program of which a title tells.
@@ -41,6 +48,21 @@ struct Titled<'t, 's> {
 }
 
 impl Titled<'_, '_> {
+    /// Returns the declaration of a type that nothing uses, and of which an engine reports nothing; `None` where it reports no line of a valid
+    /// program.
+    fn unused_type(&self) -> Option<&str> {
+        let reported = first(self.got)
+            .line
+            .filter(|_| first(self.expected).line.is_none())?;
+        let all = words(self.program.text);
+        let number = |name: &str| all.iter().filter(|word| word.eq_ignore_ascii_case(name)).count();
+        let is_elsewhere =
+            |span: Span| !(self.program.line(span)..=self.program.lines.line(span.end)).contains(&reported);
+        let mut types = self.program.unit.types();
+        let unused = types.find(|one| number(one.name.text) == 1 && is_elsewhere(one.specification.span))?;
+        self.statement_on(self.program.line(unused.name.span))
+    }
+
     fn sentence(&self, symptom: &Symptom) -> String {
         let (expected, got) = (self.expected, self.got);
         let wanted = first(expected);
@@ -177,18 +199,6 @@ impl Titled<'_, '_> {
         told + &guard + &self.unit(number)
     }
 
-    /// Returns whether a line assigns an element by a subscript that is no number, and another variable than this is at fault.
-    fn assigns_another(&self, line: u32, name: &str) -> bool {
-        let code = self.program.line_text(line).unwrap_or_default();
-        let target = code.split_once(":=").map_or("", |(target, _)| target.trim());
-        let subscript = target
-            .split_once('[')
-            .and_then(|(_, rest)| rest.split(']').next());
-        let is_number = |subscript: &str| subscript.trim().parse::<i64>().is_ok();
-        let is_computed = subscript.is_some_and(|subscript| !subscript.split(',').all(is_number));
-        is_computed && !target.eq_ignore_ascii_case(name)
-    }
-
     /// Returns what is wrong by the words of the reference, or else by those of the code. How large an array may be is the reference's own
     /// limit.
     fn wrong(&self, code: &str) -> Option<String> {
@@ -250,110 +260,6 @@ impl Titled<'_, '_> {
         let (line, message) = (self.line(extra.line), said(&extra));
         format!("{line} is reported beside the mistake: {message}")
     }
-
-    /// Returns the first expected value that did not come, with the statement that computes it.
-    fn wrong_value(&self) -> String {
-        let configured = self
-            .program
-            .unit
-            .configurations()
-            .next()
-            .map(|_| " under a CONFIGURATION");
-        let described =
-            |line: u32| described(&self.program, line) + &self.unit(line) + configured.unwrap_or_default();
-        let pairs = self
-            .expected
-            .iter()
-            .zip(self.got)
-            .filter(|(wanted, reported)| wanted != reported);
-        let mut values = pairs.filter_map(|(wanted, reported)| match wanted {
-            Fact::Value { name, value } => Some((name, clipped(&value.to_string()), reported)),
-            _ => None,
-        });
-        let Some((name, value, reported)) = values.next() else {
-            return described(self.program.last_statement()) + " computes another value";
-        };
-        let declared = self.program.declaration(name);
-        let Fact::Value { value: other, .. } = reported else {
-            return format!("the value of {name} cannot be seen: {}", described(declared));
-        };
-        // A count that no date or time of day of the type has says nothing to a reader.
-        let other = match is_no_moment(other) {
-            true => format!("no {}", other.type_name()),
-            false => clipped(&other.to_string()),
-        };
-        let computed = self.program.computation(name);
-        // A line that only copies a value, or counts, is not at fault where a loop decides how often it does.
-        let loops = |line: u32| {
-            let code = self.program.line_text(line).unwrap_or_default();
-            let begins = LOOPS.iter().any(|word| code.trim_start().starts_with(word));
-            let around = self.program.loop_around(line);
-            let counts = code
-                .split_once(":=")
-                .is_some_and(|(target, value)| has_word(value, target.trim()));
-            let copies = operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty();
-            let around = around.filter(|_| copies || counts);
-            match begins {
-                true => Some(line),
-                false => around.or_else(|| self.program.loop_in_callee(line)),
-            }
-        };
-        // An output that a line copies is computed by the call of its instance.
-        let call = computed.and_then(|line| call_of_copied(&self.program, line));
-        let name = call.map_or(name.as_str(), |(_, output)| output);
-        let decides = computed.map_or(Some(declared), |line| {
-            let call = call.map(|(line, _)| line);
-            call.or_else(|| condition(&self.program, line))
-                .or_else(|| loops(line))
-        });
-        match (decides, computed) {
-            // A line computes the value: the title tells what it gives, if it names what has the value.
-            (None, Some(line)) if !self.assigns_another(line, name) => {
-                let later = self.changed_later(line);
-                let later = later.map_or(String::new(), |code| format!(", and then `{}`,", clipped(code)));
-                format!("{}{later} gives {other}, not {value}", described(line))
-            }
-            // A condition decides the value, or nothing computes it: the title tells that line, and names the variable.
-            (line, computed) => {
-                let guarded = computed.filter(|at| line.is_some() && condition(&self.program, *at) == line);
-                let guarded = guarded.and_then(|at| self.statement_on(at));
-                let around = guarded.map_or(String::new(), |code| format!(" around `{}`", clipped(code)));
-                let told = described(line.or(computed).unwrap_or(declared));
-                format!("{told}{around}: {name} is {other}, not {value}")
-            }
-        }
-    }
-
-    /// Returns the statement that a line is.
-    fn statement_on(&self, line: u32) -> Option<&str> {
-        Some(self.program.line_text(line)?.trim().trim_end_matches(';'))
-    }
-
-    /// Returns the first statement behind a line that changes what the line reads.
-    fn changed_later(&self, line: u32) -> Option<&str> {
-        let (_, value) = self.statement_on(line)?.split_once(":=")?;
-        let place = |part: &Part<'_, '_>| self.program.line(part.expression.span);
-        let changes = |part: &&Part<'_, '_>| {
-            self.program.outermost(part).place == Place::Target
-                && part.name().is_some_and(|name| has_word(value, name))
-        };
-        let mut behind = self.program.parts.iter().filter(|part| place(part) > line);
-        self.statement_on(place(behind.find(changes)?))
-    }
-}
-
-/// Returns the last line that calls an instance before another line copies an output of it, with that output.
-fn call_of_copied<'s>(program: &ReadProgram<'_, 's>, line: u32) -> Option<(u32, &'s str)> {
-    let (_, output) = program.line_text(line)?.split_once(":=")?;
-    let output = output.trim().trim_end_matches(';');
-    let [instance, ".", _] = words(output)[..] else {
-        return None;
-    };
-    let calls =
-        |text: &str| matches!(words(text)[..], [name, "(", ..] if name.eq_ignore_ascii_case(instance));
-    let before = program.text.lines().zip(1..line);
-    let call = before.filter(|(text, _)| calls(text)).last()?;
-    Some((call.1, output))
 }
 
 /// Returns what a program does that stops with a fault, in the words of the engine.
@@ -380,28 +286,6 @@ fn warning(these: &[Fact], others: &[Fact]) -> Diagnostic {
         _ => None,
     });
     unmet.unwrap_or_default()
-}
-
-/// Returns the line of the condition that decides whether a line assigns a literal, where it does more than name a variable.
-pub(crate) fn condition(program: &ReadProgram<'_, '_>, line: u32) -> Option<u32> {
-    let text = program.text;
-    let all = tokens(program.line_text(line)?);
-    let is_literal =
-        matches!(&all[..], [_, sign, value, _] if sign.kind == TokenKind::Assign && value.kind.is_literal());
-    // The statement itself is one operation; a second one is what the condition computes.
-    let decides = |(line, _): &(&str, u32)| {
-        let first = tokens(line).first().map(|first| first.kind);
-        matches!(
-            first,
-            Some(TokenKind::If | TokenKind::Elsif | TokenKind::Case | TokenKind::While)
-        ) && operations(&format!("PROGRAM p {line} END_PROGRAM")).len() > 1
-    };
-    let before = text.lines().zip(1..line);
-    before
-        .filter(|_| is_literal)
-        .filter(decides)
-        .last()
-        .map(|(_, number)| number)
 }
 
 fn rendered(expected: &[Fact], got: &[Fact]) -> String {
