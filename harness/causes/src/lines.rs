@@ -16,6 +16,9 @@ const MAX_LENGTH: usize = 160;
 /// The maximum number of variables whose types are named.
 const MAX_TYPES: usize = 5;
 
+/// The maximum number of times that a title repeats a sign.
+const MAX_REPEATED: usize = 16;
+
 /// Returns a line of a program in code quotes, with the types of its variables where these stand elsewhere.
 pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     let line = program.line_text(number).unwrap_or_default();
@@ -334,9 +337,24 @@ pub(crate) fn line_with_number(program: &ReadProgram<'_, '_>, message: &str) -> 
     })
 }
 
-/// Returns a text of one line and no more than a title has room for.
+/// Returns a text of one line and no more than a title has room for. Of a sign that is repeated many times the number is told.
 pub(crate) fn clipped(text: &str) -> String {
     let line = text.lines().next().unwrap_or_default().trim();
+    let same = |from: &usize| {
+        let mut behind = line[*from..].chars();
+        let first = behind.next();
+        1 + behind.take_while(|sign| Some(*sign) == first).count()
+    };
+    let mut places = line.char_indices().map(|(at, _)| at);
+    let is_sign = |from: &usize| line.as_bytes()[*from].is_ascii_punctuation();
+    let repeated = places.find(|from| is_sign(from) && same(from) > MAX_REPEATED);
+    if let Some(from) = repeated {
+        let (before, number) = (&line[..from], same(&from));
+        let mut behind = line[from..].chars();
+        let sign = behind.next().unwrap_or_default();
+        let rest: String = behind.skip(number - 1).collect();
+        return clipped(&format!("{before}{sign}{sign}… ({number} times){rest}"));
+    }
     match line.char_indices().nth(MAX_LENGTH) {
         Some((end, _)) => format!("{}…", &line[..end]),
         None => line.to_owned(),

@@ -8,7 +8,7 @@ use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
 
 /// The pattern of such a loop.
-pub(crate) const TO_LAST_VALUE: &str = "FOR loop to the last value of its type";
+pub(crate) const TO_LAST_VALUE: &str = "FOR loop to the last value of its type, which goes on behind that";
 
 /// Returns the line of the only loop of a program, where that is a FOR with numbers for its limits, behind whose last value no step stays
 /// within the type of its variable; `None` where there is no such loop, or another one too.
