@@ -60,8 +60,10 @@ impl GrowingCause {
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
         // that is rejected like one with a mistake.
         let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
-        let is_shorter = matches!(normal.deviation.sign.symptom, Symptom::NotImplemented(_))
-            && normal.program.len() < smallest.program.len();
+        let is_shorter = matches!(
+            normal.deviation.sign.symptom,
+            Symptom::NotImplemented(_) | Symptom::Crash(_)
+        ) && normal.program.len() < smallest.program.len();
         let is_other = normal.is_operand && (!is_plain || is_shorter) && !smallest.deviation.sign.accepts();
         let is_derived = hides || is_other;
         // A value of quite another type shows best that none is checked.
@@ -124,7 +126,9 @@ impl GrowingCause {
             .and_then(|case| {
                 promise_of_pattern(&essence.constructs, (&shown.program, case), (engine, suite))
             });
-        let promised = of_pattern.or(promised);
+        // What the makers say of the whole claim is nearer than what they say of its construct.
+        let is_told = keeps_claim && rank(&group.shown.basis, &engine.name, sources) == 0;
+        let promised = of_pattern.filter(|_| !is_told).or(promised);
         if let Some(basis) = promised.as_deref() {
             cite(&mut shown.deviation.got, basis, sources);
         }

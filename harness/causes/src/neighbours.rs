@@ -11,7 +11,7 @@ use crate::program::{Program, ReadProgram, read};
 use crate::question::Questioner;
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::words::elementary;
+use crate::words::{elementary, has_word};
 use stickler_engines::EngineError;
 use stickler_run::{Neighbour, RunError, Symptom};
 use stickler_suite::Case;
@@ -110,7 +110,10 @@ impl Asking<'_> {
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
         let program = Program::new(&shown.program);
-        let numbers = numbers(&program.read()).into_iter().map(|(span, text, plainer)| {
+        // A loop that is left by a count does what it must with other numbers, also where it never ends.
+        let counts = !has_word(&shown.program, "EXIT");
+        let numbers = numbers(&program.read()).into_iter().filter(|_| counts);
+        let numbers = numbers.map(|(span, text, plainer)| {
             let plainer = plainer.into_iter().filter(|by| by != text).filter_map(|by| {
                 let program = Edits::replacing(span, by.as_str()).apply(&shown.program);
                 Some((format!("`{by}`"), with_case(&program)?))

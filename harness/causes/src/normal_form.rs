@@ -346,6 +346,7 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
         | (Symptom::NotImplemented(_), Symptom::NotImplemented(_))
         | (Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_), Symptom::Value) => true,
         (Symptom::Fault(words), Symptom::Fault(other))
+        | (Symptom::Crash(words), Symptom::Crash(other))
         | (Symptom::Unusable(words), Symptom::Unusable(other)) => words == other,
         _ => false,
     }
