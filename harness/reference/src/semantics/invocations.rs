@@ -188,7 +188,7 @@ impl<'m> Lowering<'m> {
             let message = "VAR_IN_OUT needs a variable that can be written";
             self.report(Code::InOutArgNotWritable, span, message);
         }
-        self.refuses_overlaid(place, span);
+        self.refuses_address(place, span);
         let place = self.located(place);
         self.push_address(place.location);
         same.then_some(place)
