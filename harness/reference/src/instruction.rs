@@ -13,7 +13,7 @@ use crate::addresses::{AddressMap, LayoutId};
 use crate::conversion::{Concatenation, Conversion};
 use rustc_hash::FxHashMap;
 use stickler_types::ElementaryType;
-use stickler_types::dialect::TextPositions;
+use stickler_types::dialect::{TextElements, TextPositions};
 
 /// Why a run ended early; one of the words of the wire protocol.
 pub use stickler_types::Fault as FaultKind;
@@ -128,6 +128,18 @@ pub enum Instruction {
     /// overlap. Like `Replicate` and `Clear` it costs steps by the number of cells, lest the step limit fail to
     /// bound a run.
     Copy(u32),
+    /// Pops the address of a text and a subscript; pushes both as one, for the two instructions that follow. Faults with subscript-range
+    /// where the dialect has no character there.
+    Character {
+        /// What the subscript selects.
+        of: TextElements,
+        /// Whether the subscript's raw form is unsigned.
+        unsigned: bool,
+    },
+    /// Pops the place of a character, pushes its code.
+    LoadCharacter,
+    /// Pops the place of a character and a code, and stores the code there. Of codes, a zero ends the text.
+    StoreCharacter(TextElements),
     /// Pops an address: copies the `stride` cells there to the `count - 1` places behind them.
     Replicate {
         /// Cells an element takes.

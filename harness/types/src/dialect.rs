@@ -7,7 +7,7 @@
 use crate::choice::{Choice, choices};
 pub use crate::options::{
     ComparedTypes, ConstantTypes, FreeWords, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns,
-    ShiftCounts, TextPositions, ThirdEditionTypes, Widening,
+    ShiftCounts, TextElements, TextPositions, ThirdEditionTypes, Widening,
 };
 use crate::{
     ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding, Value,
@@ -285,6 +285,7 @@ impl Dialect {
             "partial-access-byte" | "partial-access-word" | "partial-access-double-word" => {
                 !self.partial_access.has_wider_parts()
             }
+            "text-element" => self.text_elements == TextElements::None,
             "line-comment" => !self.line_comments,
             "nested-comment" => !self.nested_comments,
             "ampersand" | "power" => !self.ampersand_and_power,

@@ -20,6 +20,7 @@ choices_of_words! {
     MomentUnits,
     Widening,
     TextPositions,
+    TextElements,
     ImplicitWarnings,
     OperandTypes,
     ComparedTypes,

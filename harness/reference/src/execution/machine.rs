@@ -190,6 +190,9 @@ impl<'p> Machine<'p> {
                 }
                 Instruction::LoadText => self.load_text()?,
                 Instruction::StoreText => self.store_text()?,
+                Instruction::Character { of, unsigned } => self.find_character(of, unsigned)?,
+                Instruction::LoadCharacter => self.load_character()?,
+                Instruction::StoreCharacter(of) => self.store_character(of)?,
                 Instruction::Copy(count) => self.copy(count)?,
                 Instruction::Replicate { stride, count } => self.replicate(stride, count)?,
                 Instruction::Clear(count) => {
@@ -428,7 +431,7 @@ impl<'p> Machine<'p> {
 }
 
 /// Counts the elements before the one with this subscript.
-fn element(subscript: u64, (low, high): (i64, i64), unsigned: bool) -> Result<u64, Halt> {
+pub(super) fn element(subscript: u64, (low, high): (i64, i64), unsigned: bool) -> Result<u64, Halt> {
     let value = subscript.cast_signed();
     // No dimension reaches beyond an i64, so an unsigned subscript that does lies outside.
     let beyond = unsigned && value < 0;

@@ -1,7 +1,7 @@
 //! The machine's memory: cells, and the texts that some of them name.
 
 use super::stop::Halt;
-use crate::instruction::{Address, TextCell};
+use crate::instruction::{Address, FaultKind, TextCell};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -111,6 +111,21 @@ impl<'p> MachineMemory<'p> {
         }
         text.clear();
         text.extend(image.iter().take(length as usize).take_while(|&&unit| unit != 0));
+        Ok(())
+    }
+
+    /// Returns the greatest length of the text at an address.
+    pub fn capacity(&self, address: Address) -> Result<u32, Halt> {
+        let cell = self.text_cells.get(self.load(address)? as usize);
+        Ok(cell.ok_or(Halt::Missing("text at this address"))?.capacity)
+    }
+
+    /// Sets a character of a text, which keeps its length. The text may have become shorter since the position was found.
+    pub fn set_character(&mut self, address: Address, position: u32, unit: u16) -> Result<(), Halt> {
+        let index = self.load(address)? as usize;
+        let text = self.texts.get_mut(index);
+        let place = text.and_then(|text| text.get_mut(position as usize));
+        *place.ok_or(FaultKind::SubscriptRange)? = unit;
         Ok(())
     }
 

@@ -1,13 +1,14 @@
 //! The machine's longer instructions: texts, aggregates, conversions and standard functions.
 
-use super::machine::Machine;
+use super::machine::{Machine, element};
 use crate::conversion::{Conversion, formatted};
 use crate::execution::stop::Halt;
 use crate::execution::{comparison, standard};
-use crate::instruction::{ComparisonOperator, Part, StandardFunction};
+use crate::instruction::{Address, ComparisonOperator, Part, StandardFunction};
 use crate::raw::narrow;
 use std::borrow::Cow;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::TextElements;
 
 impl Machine<'_> {
     pub(super) fn push_constant(&mut self, index: u32) -> Result<(), Halt> {
@@ -31,6 +32,37 @@ impl Machine<'_> {
         let text = self.pop_text()?;
         self.spend_on_text(text.len() as u64)?;
         self.memory.store_text(address, &text)
+    }
+
+    /// Replaces the address of a text and a subscript by the place of a character: the address, and above it the position from 0.
+    pub(super) fn find_character(&mut self, of: TextElements, unsigned: bool) -> Result<(), Halt> {
+        let subscript = self.pop()?;
+        let address = self.pop_address()?;
+        let limits = match of {
+            TextElements::Codes => (0, i64::from(self.memory.capacity(address)?)),
+            TextElements::Characters | TextElements::None => (1, self.memory.text(address)?.len() as i64),
+        };
+        let position = element(subscript, limits, unsigned)?;
+        self.operands.push(position << 32 | u64::from(address));
+        Ok(())
+    }
+
+    pub(super) fn load_character(&mut self) -> Result<(), Halt> {
+        let place = self.pop()?;
+        let unit = self.memory.unit(place as Address, (place >> 32) as u32)?;
+        self.operands.push(unit.into());
+        Ok(())
+    }
+
+    pub(super) fn store_character(&mut self, of: TextElements) -> Result<(), Halt> {
+        let (place, unit) = self.pop_pair()?;
+        let (address, position) = (place as Address, (place >> 32) as u32);
+        if of == TextElements::Characters {
+            return self.memory.set_character(address, position, unit as u16);
+        }
+        let capacity = self.memory.capacity(address)?;
+        self.spend_on_text(capacity.into())?;
+        self.memory.set_unit(address, capacity, position, unit as u16)
     }
 
     pub(super) fn copy(&mut self, count: u32) -> Result<(), Halt> {

@@ -15,7 +15,7 @@ use Instruction::{
 };
 use StandardFunction::{Concat, Len, Min, Mux, Ror, Sel};
 use stickler_types::ElementaryType::{self, Int, String};
-use stickler_types::dialect::COMMON_CHOICES;
+use stickler_types::dialect::{COMMON_CHOICES, TextElements};
 use stickler_types::{BitStringText, MomentText, RealText, SplitMix64};
 
 const STEPS: u64 = 10_000;
@@ -49,6 +49,10 @@ fn instruction(text: &str) -> Instruction {
     let small = |at: usize| number(at) as u32;
     let ty = |at: usize| ElementaryType::from_name(words[at]).expect("a type");
     let unsigned = words.last() == Some(&"unsigned");
+    let of = match words.get(1) {
+        Some(&"codes") => TextElements::Codes,
+        _ => TextElements::Characters,
+    };
     let standard = |function| Standard {
         function,
         of: ty(1),
@@ -88,6 +92,9 @@ fn instruction(text: &str) -> Instruction {
         "store-indirect" => StoreIndirect,
         "load-text" => LoadText,
         "store-text" => StoreText,
+        "character" => Instruction::Character { of, unsigned },
+        "load-character" => Instruction::LoadCharacter,
+        "store-character" => Instruction::StoreCharacter(of),
         "copy" => Copy(small(1)),
         "replicate" => Replicate {
             stride: small(1),
@@ -219,6 +226,7 @@ fn a_program_without_routines_is_an_error() {
 /// Instructions whose operands are chosen: a SMALL number, one of a FEW, ANY number or a TYPE.
 const CHOSEN: &str = "push SMALL; push SMALL; push SMALL; push ANY; push-text FEW; address SMALL; instance-address ANY;
     subscript -3 ANY ANY; subscript -3 ANY ANY unsigned; load-indirect; store SMALL; store-indirect; load-text; store-text;
+    character; character codes; character codes unsigned; load-character; store-character; store-character codes;
     copy SMALL; replicate SMALL ANY; clear SMALL; store-part ANY TYPE of TYPE; convert TYPE TYPE; add TYPE; divide TYPE;
     modulo TYPE; scale TYPE; power TYPE TYPE; power TYPE TYPE unsigned; less-text; mux TYPE SMALL FEW; sel TYPE SMALL FEW;
     concat TYPE SMALL FEW; ror TYPE SMALL FEW; jump SMALL; jump-if-false SMALL; call FEW; loop-step TYPE TYPE";

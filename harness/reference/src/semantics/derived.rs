@@ -60,6 +60,7 @@ impl<'m> Lowering<'m> {
             }
             ExpressionKind::Index { base, ref subscripts } => match types.kind(self.known_type(base)?) {
                 TypeKind::Array(shape) if shape.dimensions.len() == subscripts.len() => Some(shape.element),
+                TypeKind::Text { ty, .. } => self.character_type(*ty, subscripts.len()).map(TypeId::of),
                 TypeKind::Pointer(pointer) if self.has_elements(*pointer, subscripts.len()) => {
                     Some(pointer.target)
                 }

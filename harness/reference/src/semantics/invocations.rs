@@ -14,6 +14,7 @@ use super::methods::Entrance;
 use super::model::{DeclaredVariable, Storage};
 use super::trace::UseKind;
 use super::types::{TypeId, TypeKind};
+use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::Instruction;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
@@ -188,7 +189,7 @@ impl<'m> Lowering<'m> {
             let message = "VAR_IN_OUT needs a variable that can be written";
             self.report(Code::InOutArgNotWritable, span, message);
         }
-        self.refuses_overlaid(place, span);
+        self.refuses_address(place, span);
         let place = self.located(place);
         self.push_address(place.location);
         same.then_some(place)
@@ -235,6 +236,12 @@ impl<'m> Lowering<'m> {
             return false;
         }
         let Inferred::Known(to) = target else { return false };
+        if let (TypeId::ANY_INT, Some(ty)) = (output.ty, to.elementary().filter(|ty| ty.is_integer())) {
+            self.load(output);
+            let (from, rule) = (ElementaryType::Int, ConversionRule::Wrap);
+            self.emitter.convert(Conversion { from, to: ty, rule });
+            return true;
+        }
         let dialect = self.model.source.dialect;
         let fits = fit(Inferred::Known(from), to, ValueContext::Capture, types, dialect) == Fit::Yes;
         let is_derived = types.is_derived(output.ty);

@@ -22,6 +22,8 @@ pub(super) enum Location {
     Stack,
     /// At the address in bytes on top of the stack, which can be used once: behind a reference or pointer.
     Bytes,
+    /// At the character of a text whose place is on top of the stack, which can be used once.
+    Character,
 }
 
 /// A variable, an element of one, or a part of its bits.
@@ -107,12 +109,12 @@ impl Lowering<'_> {
 
     /// The location some cells, or bytes, further on.
     pub(super) fn shifted(&mut self, mut location: Location, by: u32) -> Location {
-        use Location::{Absolute, Bytes, Instance, InstancePointer, Pointer, Stack};
+        use Location::{Absolute, Bytes, Character, Instance, InstancePointer, Pointer, Stack};
         match &mut location {
             Absolute(offset) | Instance(offset) | Pointer { offset, .. } | InstancePointer { offset, .. } => {
                 *offset = offset.saturating_add(by)
             }
-            Stack | Bytes => self.offset(by),
+            Stack | Bytes | Character => self.offset(by),
         }
         location
     }
@@ -137,14 +139,14 @@ impl Lowering<'_> {
                 self.emit(Instruction::Dereference);
                 self.offset(offset);
             }
-            Location::Stack | Location::Bytes => {}
+            Location::Stack | Location::Bytes | Location::Character => {}
         }
     }
 
     /// Returns the location of a place as one that can be used more than once.
     pub(super) fn pinned(&mut self, place: VariablePlace, span: Span) -> Location {
         let location = self.located(place).location;
-        if self.refuses_overlaid(place, span) || location != Location::Stack {
+        if self.refuses_address(place, span) || location != Location::Stack {
             return location;
         }
         let cell = self.temporary(span);
@@ -170,6 +172,7 @@ impl Lowering<'_> {
                 self.emit(Instruction::LoadText);
             }
             (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Load(address)),
+            (CellKind::Plain, Location::Character) => self.emit(Instruction::LoadCharacter),
             (CellKind::Plain, location) => {
                 self.push_address(location);
                 self.emit(Instruction::LoadIndirect);
@@ -222,6 +225,10 @@ impl Lowering<'_> {
                 self.emit(Instruction::StoreText);
             }
             (CellKind::Plain, Location::Absolute(address)) => self.emit(Instruction::Store(address)),
+            (CellKind::Plain, Location::Character) => {
+                let of = self.model.source.dialect.text_elements;
+                self.emit_at(span, Instruction::StoreCharacter(of));
+            }
             (CellKind::Plain, _) => self.emit(Instruction::StoreIndirect),
         }
     }
@@ -247,14 +254,20 @@ impl Lowering<'_> {
         self.emit_at(span, Instruction::Scatter(layout));
     }
 
-    /// Reports a field of a union where the address of its cell is needed, which it has not; gives whether it is one.
-    pub(super) fn refuses_overlaid(&mut self, place: VariablePlace, span: Span) -> bool {
-        if place.overlaid {
-            let message =
-                "a field of a UNION as VAR_IN_OUT or as the control variable of FOR is not implemented";
-            self.report(Code::NotImplemented, span, message);
-        }
-        place.overlaid
+    /// Reports a field of a union and a character of a text where the address of a cell is needed, which they have not; gives whether it is
+    /// one.
+    pub(super) fn refuses_address(&mut self, place: VariablePlace, span: Span) -> bool {
+        let message = match place.location {
+            _ if place.overlaid => {
+                "a field of a UNION as VAR_IN_OUT or as the control variable of FOR is not implemented"
+            }
+            Location::Character => {
+                "a character of a text as VAR_IN_OUT or as the control variable of FOR, its address and its bits are not implemented"
+            }
+            _ => return false,
+        };
+        self.report(Code::NotImplemented, span, message);
+        true
     }
 
     /// Copies an aggregate. A function block keeps the number of its own type.

@@ -1,7 +1,7 @@
 //! Variables as expressions name them: with elements, fields and bits; for reading and for writing.
 //!
-//! Basis: ironplc-bit-access: Valid Base Types; ironplc-problem-codes: P2027, P4007, P4025, P4069. A wrong number
-//! of subscripts is P2024, and a subscript of what is no array P4049.
+//! Basis: ironplc-bit-access: Valid Base Types; ironplc-problem-codes: P2027, P4007, P4025, P4069; iec-61131-3: 6.4.2.3 (characters). A wrong
+//! number of subscripts is P2024, and a subscript of what has no elements P4049.
 
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
@@ -12,7 +12,7 @@ use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name};
-use stickler_types::dialect::{Dialect, PartialAccess};
+use stickler_types::dialect::{Dialect, PartialAccess, TextElements};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
@@ -150,6 +150,11 @@ impl<'m> Lowering<'m> {
                 }
                 self.subscripts(place, shape, subscripts)
             }
+            Some((place, &TypeKind::Text { ty, .. }))
+                if self.character_type(ty, subscripts.len()).is_some() =>
+            {
+                self.character(place, ty, subscripts[0])
+            }
             Some((place, TypeKind::Pointer(pointer))) if self.has_elements(*pointer, subscripts.len()) => {
                 self.pointer_element(place, pointer.target, subscripts[0])
             }
@@ -236,6 +241,45 @@ impl<'m> Lowering<'m> {
         reached
     }
 
+    /// Returns the type of what a subscript selects in a text; `None` where the dialect has no such subscripts.
+    pub(super) fn character_type(&self, text: ElementaryType, subscripts: usize) -> Option<ElementaryType> {
+        use ElementaryType::{Byte, Char, Wchar, Word, Wstring};
+        let ty = match self.model.source.dialect.text_elements {
+            TextElements::None => return None,
+            TextElements::Characters if text == Wstring => Wchar,
+            TextElements::Characters => Char,
+            TextElements::Codes if text == Wstring => Word,
+            TextElements::Codes => Byte,
+        };
+        (subscripts == 1).then_some(ty)
+    }
+
+    /// The place of a character of a text.
+    fn character(
+        &mut self,
+        place: VariablePlace,
+        ty: ElementaryType,
+        subscript: ExpressionId,
+    ) -> Option<VariablePlace> {
+        let span = self.span(subscript);
+        let text = self.located(place);
+        self.push_address(text.location);
+        let position = self.integer(subscript, ElementaryType::Lint, ValueContext::Integer)?;
+        if text.overlaid {
+            let message = "a character of a text in a UNION is not implemented";
+            self.report(Code::NotImplemented, span, message);
+            return None;
+        }
+        let unsigned = position.ty.elementary().is_some_and(ElementaryType::is_unsigned);
+        let of = self.model.source.dialect.text_elements;
+        self.emit_at(span, Instruction::Character { of, unsigned });
+        Some(VariablePlace {
+            location: Location::Character,
+            ty: TypeId::of(self.character_type(ty, 1)?),
+            ..place
+        })
+    }
+
     /// Puts an integer of any type on the stack, an untyped one in the type that is wanted.
     ///
     /// Basis: iec-61131-3: 6.4.4.5, 7.3.3 (subscripts, CASE selectors and FOR bounds).
@@ -313,6 +357,9 @@ impl<'m> Lowering<'m> {
             };
             self.report(Code::BitAccessOutOfRange, span, message);
         }
+        if place.location == Location::Character && self.refuses_address(place, span) {
+            return None;
+        }
         let outer = place.part.map_or(0, |outer| outer.first);
         if place.overlaid {
             // A part of a field of a union is a value of its own, or a bit of one of the bytes.
@@ -371,7 +418,8 @@ impl<'m> Lowering<'m> {
             self.report(code, self.span(id), format!("{message}; a part of one is none"));
             return None;
         }
-        Some(place)
+        let is_character = place.location == Location::Character;
+        (!is_character || !self.refuses_address(place, self.span(id))).then_some(place)
     }
 
     /// Reports a value where a variable is needed; what is wrong inside of it is reported instead.

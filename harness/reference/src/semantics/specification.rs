@@ -110,6 +110,7 @@ impl<'u> Declarer<'u, '_> {
                 self.later = true;
             }
             None if name.text.is_empty() => {}
+            None if name.text == "STICKLER_ANY_INT" => return TypeId::ANY_INT,
             None if is_not_implemented(name.text) => {
                 let message = format!("`{}` is known, and not implemented", name.text);
                 self.report(Code::NotImplemented, name.span, message);

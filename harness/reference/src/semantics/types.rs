@@ -16,6 +16,8 @@ impl TypeId {
     pub(super) const ERROR: TypeId = TypeId(ElementaryType::ALL.len() as u32);
     /// The type of NULL, and of the address that ADR and REF give: it goes with every reference and pointer.
     pub(super) const ADDRESS: TypeId = TypeId(TypeId::ERROR.0 + 1);
+    /// The type of an output in `library` that a variable of any integer type takes: an INT.
+    pub(super) const ANY_INT: TypeId = TypeId(TypeId::ADDRESS.0 + 1);
     /// BOOL.
     pub(super) const BOOL: TypeId = TypeId::of(ElementaryType::Bool);
 
@@ -237,8 +239,8 @@ pub(super) struct TypeTable {
     pub(super) parents: FxHashMap<TypeId, Vec<TypeId>>,
 }
 
-/// The elementary types, and behind them [`TypeId::ERROR`] and [`TypeId::ADDRESS`]: the same in every source text.
-static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::new(|| {
+/// The elementary types, and behind them [`TypeId::ERROR`], [`TypeId::ADDRESS`] and [`TypeId::ANY_INT`]: the same in every source text.
+static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 3]> = LazyLock::new(|| {
     std::array::from_fn(|index| {
         let (kind, text_units) = match ElementaryType::ALL.get(index) {
             Some(&ty) if ty.is_text() => {
@@ -250,11 +252,16 @@ static BUILT_IN: LazyLock<[TypeRow; ElementaryType::ALL.len() + 2]> = LazyLock::
                 let (form, target) = (PointerForm::RefTo, TypeId::ERROR);
                 (TypeKind::Pointer(PointerType { form, target }), 0)
             }
+            None if index as u32 == TypeId::ANY_INT.0 => (TypeKind::Alias, 0),
             None => (TypeKind::Error, 0),
+        };
+        let root = match kind {
+            TypeKind::Alias => TypeId::of(ElementaryType::Int),
+            _ => TypeId(index as u32),
         };
         TypeRow {
             kind,
-            root: TypeId(index as u32),
+            root,
             extent: Extent {
                 text_units,
                 ..Extent::PLAIN

@@ -5,7 +5,7 @@ use crate::names::DeclaredKind;
 use crate::source::Span;
 use crate::tree::{
     Argument, BinaryOperator, CaseFolded, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind,
-    PouKind, UnaryOperator, own_instance,
+    PouKind, TypeSpecificationKind, UnaryOperator, own_instance,
 };
 use crate::visitor::Context;
 use stickler_types::ElementaryType;
@@ -56,6 +56,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                     None => "field",
                 }
             }
+            Index { base, .. } if self.is_text(base, at) => "text-element",
             Index { .. } => "array-element",
             Dereference { .. } => "dereference",
             Assigned { .. } => "assignment-expression",
@@ -107,6 +108,19 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let library = self.name_of(base, at)?;
         let is_known = self.declared(library).is_some() || self.namespaces.has(library);
         (!is_known && own_instance(library).is_none()).then_some(field.text)
+    }
+
+    /// Returns whether an expression is a variable or a field that the program declares as a text.
+    fn is_text(&self, id: ExpressionId, at: &Context<'t, 's>) -> bool {
+        use TypeSpecificationKind::{Named, Text};
+        let name = match at.unit.expression(id).map(|expression| &expression.kind) {
+            Some(ExpressionKind::Name(name) | ExpressionKind::Field { field: name, .. }) => name.text,
+            _ => return false,
+        };
+        match self.types.get(&CaseFolded(name)).map(|ty| &ty.kind) {
+            Some(Named(ty)) => ElementaryType::from_name(ty.text).is_some_and(ElementaryType::is_text),
+            other => matches!(other, Some(Text { .. })),
+        }
     }
 
     /// Returns the name that an expression is; `None` where it is something else.

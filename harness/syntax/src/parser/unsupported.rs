@@ -82,7 +82,14 @@ impl<'s> Parser<'s, '_> {
             return Err(Broken);
         }
         if matches!(next, TokenKind::Name | TokenKind::LeftParen) && self.at_any_word(&CHART) {
-            self.unsupported(start, "sequential function charts (STEP, TRANSITION, ACTION)");
+            // A chart begins with a step.
+            self.unsupported(
+                start,
+                match self.at_word("ACTION") {
+                    true => "actions (ACTION) of programs and function blocks",
+                    false => "sequential function charts (STEP, TRANSITION, ACTION)",
+                },
+            );
             self.incomplete = true;
             self.skip_body();
             return Err(Broken);
