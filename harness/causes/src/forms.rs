@@ -8,7 +8,7 @@ use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{ExpressionKind, Pou, PouKind, TypeSpecificationKind};
+use stickler_syntax::tree::{ExpressionKind, Pou, PouKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
 
@@ -54,6 +54,14 @@ pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> 
             return Vec::new();
         };
         without.remove(body.clone());
+        // What a program sees of an instance are its outputs.
+        let plain = pou.blocks.iter().filter(|block| {
+            pou.kind == PouKind::FunctionBlock && block.kind == VariableKind::Local && !block.constant
+        });
+        for at in plain.map(|block| block.span.start as usize) {
+            without.replace(at..at + "VAR".len(), "VAR_OUTPUT");
+            edits.replace(at..at + "VAR".len(), "VAR_OUTPUT");
+        }
         match own.find_map(|group| group.names.first()) {
             Some(own) => edits.replace(body, format!("{0} := {0};", own.text)),
             None => {

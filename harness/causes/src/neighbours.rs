@@ -156,7 +156,18 @@ impl Asking<'_> {
             }
         }
         for (replaced, plainer) in numbers {
-            let told = limits(plainer.len(), |at| is_same(&plainer[at].1))?;
+            let nearer = plainer.partition_point(|(by, _)| amount(by) <= amount(&replaced));
+            let told = limits(nearer, |at| is_same(&plainer[at].1))?;
+            // A limit is one only where what is beyond it is wrong, too.
+            if let Some((by, case)) = plainer.get(nearer).filter(|_| !told.is_empty())
+                && is_same(case)? == Some(false)
+            {
+                found.push(Neighbour {
+                    is_same: false,
+                    replaced: replaced.clone(),
+                    by: by.clone(),
+                });
+            }
             found.extend(told.into_iter().map(|(at, is_same)| Neighbour {
                 replaced: replaced.clone(),
                 by: plainer[at].0.clone(),
@@ -201,13 +212,19 @@ fn limits(
 /// Returns the number from which on an engine deviates, where it does what it must with the number before: a limit of a type, which are those
 /// above 127.
 fn first_wrong(neighbours: &[Neighbour]) -> Option<&str> {
-    let amount = |text: &str| Some(number_of_literal(text.trim_matches('`'))?.unsigned_abs());
     neighbours.iter().filter(|one| !one.is_same).find_map(|right| {
-        let mut others = neighbours.iter().filter(|one| one.is_same);
-        let wrong = others.find(|one| one.replaced == right.replaced);
+        let others = || neighbours.iter().filter(|one| one.replaced == right.replaced);
+        let wrong = others().find(|one| one.is_same);
         let wrong = wrong.map_or(right.replaced.as_str(), |one| &one.by);
-        (amount(wrong)? == amount(&right.by)? + 1 && amount(wrong)? > 127).then_some(wrong)
+        let is_last = others().all(|one| one.is_same || amount(&one.by) <= amount(&right.by));
+        let is_limit = amount(wrong)? == amount(&right.by)? + 1 && amount(wrong)? > 127;
+        (is_last && is_limit).then_some(wrong)
     })
+}
+
+/// Returns how far from zero an integer literal is, between the accents with which a page writes it.
+fn amount(text: &str) -> Option<u128> {
+    Some(number_of_literal(text.trim_matches('`'))?.unsigned_abs())
 }
 
 /// Returns whether an engine deviates in one way, whatever words it says it in.
@@ -259,7 +276,8 @@ fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<(Span, &'s str, Vec<String>
     literals.chain(locations).collect()
 }
 
-/// Returns 1 and the numbers at the limits of some sizes, of those that are nearer to zero than an integer literal, as it is written.
+/// Returns 1 and the numbers at the limits of some sizes, of those that are nearer to zero than an integer literal, and one that is twice as far
+/// away, as it is written.
 fn smaller(text: &str) -> Vec<String> {
     let Some(number) = number_of_literal(text) else {
         return Vec::new();
@@ -268,7 +286,8 @@ fn smaller(text: &str) -> Vec<String> {
     let nearer = [1]
         .into_iter()
         .chain(limits)
-        .filter(|limit: &i128| *limit < number.abs());
+        .filter(|limit: &i128| *limit < number.abs())
+        .chain(number.abs().checked_mul(2).map(|twice| twice + 1));
     let prefix = text.rfind('#').map_or("", |at| &text[..=at]);
     let sign = if number < 0 { "-" } else { "" };
     let written = nearer.map(|limit| match prefix {

@@ -10,6 +10,7 @@ mod other_forms;
 pub(crate) use other_forms::{NUMBERS_PLACELESS, is_whatever_comes};
 
 use crate::alone::{alone, is_loop_alone, shows};
+use crate::compiler_place::compiler_place;
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
@@ -141,7 +142,9 @@ pub(crate) fn normal_form(
         _ if search.normal.way.is_some() => {}
         // The types and values of such an operation do not matter.
         Symptom::Value | Symptom::Missing => search.minimise(&plain_method(true))?,
-        Symptom::Rejected(_) | Symptom::Fault(_) => search.minimise(&plain_method(false))?,
+        Symptom::Rejected(_) | Symptom::Fault(_) | Symptom::NotImplemented(_) | Symptom::Crash(_) => {
+            search.minimise(&plain_method(false))?;
+        }
         Symptom::NoPlace(_) => search.places()?,
         Symptom::Unusable(_) => {
             search.variables_for_literals()?;
@@ -342,8 +345,10 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
         }
         // The code that was expected is not missed alone.
         (Symptom::OtherCode { code, .. }, Symptom::NotRejected(same)) => code == same,
+        (Symptom::NotImplemented(_), Symptom::NotImplemented(_)) => {
+            compiler_place(&former.got) == compiler_place(&seen.got)
+        }
         (Symptom::NotRejected(_), Symptom::NotRejected(_))
-        | (Symptom::NotImplemented(_), Symptom::NotImplemented(_))
         | (Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_), Symptom::Value) => true,
         (Symptom::Fault(words), Symptom::Fault(other))
         | (Symptom::Crash(words), Symptom::Crash(other))

@@ -200,6 +200,10 @@ pub(crate) fn specific<'f>(
     // Of nested initial values, only the innermost feature counts.
     let needed: Vec<&String> = found.iter().flat_map(|one| &one.needs).collect();
     found.retain(|one| !needed.contains(&&one.key) && (!one.promised.is_empty() || !is_type(one)));
+    // What is done with a value counts before its type does.
+    if found.iter().any(|one| !is_type(one)) {
+        found.retain(|one| !is_type(one));
+    }
     if found.is_empty() {
         let around = |line: u32| {
             let surrounds =

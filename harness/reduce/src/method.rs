@@ -70,6 +70,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("resolve types", declarations::resolve_types),
     text_pass!("unwrap arrays", arrays::unwrap_arrays),
     text_pass!("unwrap structures", arrays::unwrap_structures),
+    text_pass!("unwrap bits", arrays::unwrap_bits),
     text_pass!("drop dimensions", arrays::drop_dimensions),
     text_pass!("drop lines", chunks::drop_lines),
     text_pass!("drop tokens", chunks::drop_tokens),

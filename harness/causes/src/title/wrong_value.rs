@@ -2,6 +2,7 @@
 
 use super::Titled;
 use crate::lines::{clipped, described};
+use crate::malformed::number_of_literal;
 use crate::patterns::is_no_moment;
 use crate::program::{Part, ReadProgram};
 use crate::words::{LOOPS, has_word, tokens, words};
@@ -77,8 +78,20 @@ impl Titled<'_, '_> {
             (line, computed) => {
                 let guarded = computed.filter(|at| line.is_some() && condition(&self.program, *at) == line);
                 let guarded = guarded.and_then(|at| self.statement_on(at));
-                let around = guarded.map_or(String::new(), |code| format!(" around `{}`", clipped(code)));
+                let around = guarded.map_or(String::new(), |code| {
+                    let (_, assigned) = code.split_once(":=").unwrap_or_default();
+                    let assigned = number_of_literal(assigned);
+                    let is = |value: &str| assigned.is_some() && number_of_literal(value) == assigned;
+                    let outcome = match (is(&other), is(&value)) {
+                        (true, false) => " is taken",
+                        (false, true) => " is not taken",
+                        _ => "",
+                    };
+                    format!(" around `{}`{outcome}", clipped(code))
+                });
                 let told = described(line.or(computed).unwrap_or(declared));
+                // An initial value is seen at an output, whatever loses it.
+                let told = told.replace(" in VAR_OUTPUT in a FUNCTION_BLOCK", " in a FUNCTION_BLOCK");
                 format!("{told}{around}: {name} is {other}, not {value}")
             }
         }

@@ -99,7 +99,11 @@ impl ProcessGroup {
         if *ending == Ending::Processes {
             return Err("the run stops".to_owned());
         }
-        let mut wrap = CommandWrap::with_new(program, prepare);
+        let mut wrap = CommandWrap::with_new(program, |command| {
+            // What a compiler says when it dies does not depend on the environment of the run.
+            command.env_remove("RUST_BACKTRACE");
+            prepare(command);
+        });
         #[cfg(unix)]
         wrap.wrap(process_wrap::std::ProcessGroup::leader());
         #[cfg(windows)]

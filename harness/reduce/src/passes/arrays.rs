@@ -1,10 +1,10 @@
-//! Passes that make variables of several parts smaller: arrays and structures to one of their elements, and arrays to fewer dimensions.
+//! Passes that make variables of several parts smaller: arrays, structures and bit strings to one of their elements, and arrays to fewer
+//! dimensions.
 
 use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
-    Expression, ExpressionId, ExpressionKind, Name, Pou, TypeSpecification, TypeSpecificationKind,
-    VariableGroup,
+    Expression, ExpressionId, ExpressionKind, Name, Pou, TypeSpecificationKind, VariableGroup,
 };
 
 /// Gives the element type to array variables whose every use has subscripts.
@@ -15,7 +15,7 @@ pub(crate) fn unwrap_arrays(view: &TextView<'_>) -> Vec<Edits> {
         };
         let uses = uses(view, pou, group);
         let uses = uses.into_iter().map(|(base, _, whole)| (base, whole));
-        Some(with_type_of_element(view, group, element, uses))
+        Some(with_type_of_element(group, element.span.text(view.text()), uses))
     });
     view.only_allowed(changes.collect())
 }
@@ -54,9 +54,8 @@ pub(crate) fn unwrap_structures(view: &TextView<'_>) -> Vec<Edits> {
                 _ => None,
             });
             changes.push(with_type_of_element(
-                view,
                 group,
-                &element.specification,
+                element.specification.span.text(view.text()),
                 with_field,
             ));
         }
@@ -64,18 +63,33 @@ pub(crate) fn unwrap_structures(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
+/// Gives the type BOOL to variables whose every use is a bit.
+pub(crate) fn unwrap_bits(view: &TextView<'_>) -> Vec<Edits> {
+    let changes = single(view).map(|(pou, group)| {
+        let uses = group.names.iter().flat_map(|name| view.uses(pou, *name));
+        let bits = uses.filter_map(|used| match &view.around(&used)?.kind {
+            ExpressionKind::Bit { base, .. } if view.unit.expression(*base)?.span == used.expression.span => {
+                Some((used.expression, view.around(&used)?))
+            }
+            _ => None,
+        });
+        let bits: Vec<_> = bits.collect();
+        (!bits.is_empty()).then(|| with_type_of_element(group, "BOOL", bits.into_iter()))
+    });
+    view.only_allowed(changes.flatten().collect())
+}
+
 /// Returns the change that declares a variable with the type of its element, and leaves of its uses, each with the whole expression, the
 /// variable.
 fn with_type_of_element<'t>(
-    view: &TextView<'t>,
     group: &VariableGroup<'_>,
-    element: &TypeSpecification<'_>,
+    element: &str,
     uses: impl Iterator<Item = (&'t Expression<'t>, &'t Expression<'t>)>,
 ) -> Edits {
     let initial = group.initializer.as_ref();
     let end = initial.map_or(group.specification.span.end, |one| one.span.end);
     let declared = group.specification.span.start as usize..end as usize;
-    let mut edits = Edits::replacing(declared, element.span.text(view.text()));
+    let mut edits = Edits::replacing(declared, element);
     for (variable, whole) in uses {
         edits.remove(variable.span.end as usize..whole.span.end as usize);
     }
