@@ -112,8 +112,10 @@ pub(crate) fn normal_form(
         stop,
         normal: Normal::unasked(smallest),
     };
-    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone has no plainer form.
-    if smallest.flaky.is_some() || smallest.program.len() > LONG || is_loop_alone(&smallest.program) {
+    let symptom = smallest.deviation.sign.symptom.clone();
+    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone that runs has no plainer form.
+    let is_plain = is_loop_alone(&smallest.program) && !matches!(symptom, Symptom::NotImplemented(_));
+    if smallest.flaky.is_some() || smallest.program.len() > LONG || is_plain {
         return Ok(search.normal);
     }
     search.whatever_comes()?;
@@ -121,7 +123,6 @@ pub(crate) fn normal_form(
         search.normal.questions = tries - search.left;
         return Ok(search.normal);
     }
-    let symptom = smallest.deviation.sign.symptom.clone();
     search.minimise(&structure_method(&symptom))?;
     let now = search.normal.deviation.sign.symptom.clone();
     if now == Symptom::Value && symptom != Symptom::Value {

@@ -95,7 +95,7 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
         Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE],
         Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_BIT, SAME_TYPES],
-        Symptom::NotImplemented(_) | Symptom::Crash(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT],
+        Symptom::NotImplemented(_) | Symptom::Crash(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT, SAME_TYPES],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
             &[FIRST_PARTS, OPERAND_ALONE, FITTING_OPERAND, SAME_TYPES]
         }

@@ -200,9 +200,13 @@ pub(crate) fn specific<'f>(
     // Of nested initial values, only the innermost feature counts.
     let needed: Vec<&String> = found.iter().flat_map(|one| &one.needs).collect();
     found.retain(|one| !needed.contains(&&one.key) && (!one.promised.is_empty() || !is_type(one)));
-    // What is done with a value counts before its type does.
-    if found.iter().any(|one| !is_type(one)) {
-        found.retain(|one| !is_type(one));
+    // What is done with a value counts before its type and its literals do, but for beginning with it.
+    let is_value = |one: &Feature| is_type(one) || one.key.ends_with("-literal");
+    if found
+        .iter()
+        .any(|one| !is_value(one) && one.key != "initial-value")
+    {
+        found.retain(|one| !is_value(one));
     }
     if found.is_empty() {
         let around = |line: u32| {

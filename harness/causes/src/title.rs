@@ -34,7 +34,7 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     let told = titled.sentence(&smallest.deviation.sign.symptom);
     // What nothing uses stays in a small program because it matters.
     let beside = titled
-        .unused_type()
+        .unused()
         .filter(|_| smallest.reduction == Reduced::Smallest);
     beside.map_or(told.clone(), |code| format!("{told}, beside `{}`", clipped(code)))
 }
@@ -48,19 +48,24 @@ struct Titled<'t, 's> {
 }
 
 impl Titled<'_, '_> {
-    /// Returns the declaration of a type that nothing uses, and of which an engine reports nothing; `None` where it reports no line of a valid
-    /// program.
-    fn unused_type(&self) -> Option<&str> {
-        let reported = first(self.got)
-            .line
-            .filter(|_| first(self.expected).line.is_none())?;
+    /// Returns a declaration that nothing uses and of which nothing is reported: of another variable in the section of the line that is, or of a
+    /// type where an engine reports a line of a valid program.
+    fn unused(&self) -> Option<&str> {
+        let (expected, got) = (first(self.expected).line, first(self.got).line);
+        let line = expected.or(got)?;
         let all = words(self.program.text);
         let number = |name: &str| all.iter().filter(|word| word.eq_ignore_ascii_case(name)).count();
-        let is_elsewhere =
-            |span: Span| !(self.program.line(span)..=self.program.lines.line(span.end)).contains(&reported);
-        let mut types = self.program.unit.types();
-        let unused = types.find(|one| number(one.name.text) == 1 && is_elsewhere(one.specification.span))?;
-        self.statement_on(self.program.line(unused.name.span))
+        let covers =
+            |span: Span| (self.program.line(span)..=self.program.lines.line(span.end)).contains(&line);
+        let sections = self.program.unit.pous().flat_map(|pou| &pou.blocks);
+        let groups = sections
+            .filter(|section| covers(section.span))
+            .flat_map(|section| &section.groups);
+        let variables = groups.map(|group| (group.names[0], group.specification.span));
+        let types = self.program.unit.types().filter(|_| expected.is_none());
+        let mut all = variables.chain(types.map(|one| (one.name, one.specification.span)));
+        let (unused, _) = all.find(|(name, span)| number(name.text) == 1 && !covers(*span))?;
+        self.statement_on(self.program.line(unused.span))
     }
 
     fn sentence(&self, symptom: &Symptom) -> String {

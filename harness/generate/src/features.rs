@@ -13,7 +13,6 @@ use stickler_types::{Dialect, ElementaryType};
 
 /// Counts what a program uses that a compiler may lack: the keys of features, elementary types, conversion functions by their
 /// names, literals with a type (`INT#`), and implicit conversions (`INT to DINT`).
-#[must_use]
 pub fn features(program: &Program) -> BTreeMap<String, u64> {
     let mut counter = FeatureCounter::default();
     let text = write(program, &Style::default()).text;
@@ -28,7 +27,6 @@ pub fn features(program: &Program) -> BTreeMap<String, u64> {
 ///
 /// Two findings with the same symptom are taken for the same if their programs need the same features. What most programs have
 /// is left out: numbers, bit strings and truth values, their literals, and what variables begin with.
-#[must_use]
 pub fn distinctive(program: &Program) -> Vec<String> {
     let is_common = |name: &String| {
         let ty = ElementaryType::from_name(name.trim_end_matches('#'));

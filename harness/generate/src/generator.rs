@@ -48,7 +48,6 @@ pub struct GeneratorSettings {
 
 impl GeneratorSettings {
     /// Returns settings for a dialect, the others being the defaults.
-    #[must_use]
     pub fn of(dialect: DialectName) -> GeneratorSettings {
         GeneratorSettings {
             dialect: Some(dialect),

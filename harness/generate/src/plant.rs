@@ -37,7 +37,6 @@ impl Planted {
     ///
     /// The line of the raw text is taken; else the line of the planted declaration; else the first line that differs. Lines
     /// count from 1.
-    #[must_use]
     pub fn line(&self, sound: &WrittenProgram, broken: &WrittenProgram) -> u32 {
         if let Some(mark) = &self.mark {
             return number_of_first(broken.text.lines().map(|line| line.contains(mark.as_str())));
@@ -65,7 +64,6 @@ pub fn kind_names() -> impl Iterator<Item = &'static str> {
 
 /// Plants one error in a sound program; the bytes choose the kind and the place. Returns `None` only if no kind finds a
 /// place, which does not happen in a program whose main has a statement.
-#[must_use]
 pub fn plant(program: &Program, bytes: &[u8]) -> Option<Planted> {
     let mut input = Unstructured::new(bytes);
     // When the bytes run out the first kind is tried first.
@@ -80,7 +78,6 @@ pub fn plant(program: &Program, bytes: &[u8]) -> Option<Planted> {
 }
 
 /// Plants an error of the named kind; `None` if the program has no place for it.
-#[must_use]
 pub fn plant_kind(program: &Program, kind: &str, bytes: &[u8]) -> Option<Planted> {
     let number = KINDS.iter().position(|known| known.name == kind)?;
     plant_number(program, number, &mut Unstructured::new(bytes))

@@ -18,7 +18,6 @@ impl<'r, 'u> Random<'r, 'u> {
     }
 
     /// Returns whether no bytes are left, so that every further choice is the first possibility.
-    #[must_use]
     pub fn is_exhausted(&self) -> bool {
         self.input.is_empty()
     }
@@ -82,7 +81,6 @@ impl<'r, 'u> Random<'r, 'u> {
 }
 
 /// Returns `length` pseudorandom bytes, always the same for a seed.
-#[must_use]
 pub fn bytes(seed: u64, length: usize) -> Vec<u8> {
     SplitMix64::new(seed).bytes(length)
 }

@@ -26,7 +26,6 @@ use stickler_syntax::{parse, words};
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, Value};
 
 /// Reads a text; `None` where it is no program of the model.
-#[must_use]
 pub fn read(text: &str, dialect: DialectName) -> Option<Program> {
     let is_used = |block: &&Pou| words(text, Dialect::of(dialect)).any(|word| word.is(&block.name));
     let blocks = DialectProfile::of(dialect).standard_blocks().iter();

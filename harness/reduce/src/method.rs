@@ -60,7 +60,6 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("replace expressions by their third operands", |view| {
         expressions::to_operand(view, 2)
     }),
-    text_pass!("replace outputs by inputs", expressions::output_to_given),
     text_pass!("drop arguments", expressions::drop_arguments),
     text_pass!("drop initial values", declarations::drop_initials),
     text_pass!("assign initial values", initial_values::assign_initials),

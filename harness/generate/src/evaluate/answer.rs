@@ -17,7 +17,6 @@ pub struct Evaluation {
 
 impl Evaluation {
     /// Returns whether the reference must give these values: IEC 60559 and two's complement answer every open question for it.
-    #[must_use]
     pub fn binds_the_reference(&self) -> bool {
         self.opened
             .iter()

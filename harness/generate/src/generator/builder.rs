@@ -14,7 +14,6 @@ use stickler_types::{DialectName, ElementaryType};
 ///
 /// The program is well-typed in its dialect, terminates after a few thousand statements, and uses nothing that documents
 /// leave open, as far as that can be known without running it; [`GeneratorSettings::open`] lifts the last restriction.
-#[must_use]
 pub fn program(bytes: &[u8], settings: &GeneratorSettings) -> Program {
     let mut input = Unstructured::new(bytes);
     let mut builder = ProgramBuilder::new(Random::new(&mut input), settings);

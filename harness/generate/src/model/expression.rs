@@ -15,31 +15,26 @@ pub struct Expression {
 
 impl Expression {
     /// Creates an expression of any type.
-    #[must_use]
     pub const fn new(ty: Type, kind: ExpressionKind) -> Expression {
         Expression { ty, kind }
     }
 
     /// Creates an expression of an elementary type.
-    #[must_use]
     pub const fn elementary(ty: ElementaryType, kind: ExpressionKind) -> Expression {
         Expression::new(Type::Elementary(ty), kind)
     }
 
     /// Creates a literal of an elementary type.
-    #[must_use]
     pub const fn literal(ty: ElementaryType, value: Value, form: LiteralForm) -> Expression {
         Expression::elementary(ty, ExpressionKind::Literal(value, form))
     }
 
     /// Creates the value of a variable, or of a part of one.
-    #[must_use]
     pub fn read(place: Place) -> Expression {
         Expression::new(place.ty.clone(), ExpressionKind::Read(place))
     }
 
     /// Creates an operation with one operand.
-    #[must_use]
     pub fn unary(operator: UnaryOperator, operand: Expression) -> Expression {
         Expression::new(
             operand.ty.clone(),
@@ -48,19 +43,16 @@ impl Expression {
     }
 
     /// Creates an implicit conversion.
-    #[must_use]
     pub fn widened(ty: Type, operand: Expression) -> Expression {
         Expression::new(ty, ExpressionKind::Widen(Box::new(operand)))
     }
 
     /// Creates a value of an enumeration.
-    #[must_use]
     pub fn enumerated(ty: &Type, value: usize) -> Expression {
         Expression::new(ty.clone(), ExpressionKind::Enumerated(value))
     }
 
     /// Creates a call of a standard function whose result has an elementary type.
-    #[must_use]
     pub const fn standard(
         function: StandardFunction,
         arguments: Vec<Expression>,
@@ -70,7 +62,6 @@ impl Expression {
     }
 
     /// Creates an operation with two operands whose result has an elementary type.
-    #[must_use]
     pub fn binary(
         operator: BinaryOperator,
         left: Expression,
@@ -145,7 +136,6 @@ pub struct Place {
 
 impl Place {
     /// Creates the place of a whole variable.
-    #[must_use]
     pub const fn whole(variable: VariableId, ty: Type) -> Place {
         Place {
             variable,

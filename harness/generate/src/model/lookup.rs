@@ -7,7 +7,6 @@ use stickler_types::ElementaryType;
 
 impl Program {
     /// Returns the type that an alias stands for; any other type itself.
-    #[must_use]
     pub fn unaliased<'t>(&'t self, ty: &'t Type) -> &'t Type {
         let Type::Declared(declared) = ty else {
             return ty;
@@ -19,7 +18,6 @@ impl Program {
     }
 
     /// Returns the fields of a structure, each with its name, type and initial value; `None` for any other type.
-    #[must_use]
     pub fn fields(&self, ty: &Type) -> Option<&[(String, Type, Option<Expression>)]> {
         let Type::Declared(declared) = ty else { return None };
         match &self.types.get(*declared)?.kind {
@@ -29,7 +27,6 @@ impl Program {
     }
 
     /// Returns the names of the values of an enumeration; `None` for any other type.
-    #[must_use]
     pub fn enumerated_values(&self, ty: &Type) -> Option<&[String]> {
         let Type::Declared(declared) = ty else { return None };
         match &self.types.get(*declared)?.kind {
@@ -39,7 +36,6 @@ impl Program {
     }
 
     /// Returns the type of the part of `ty` that a selector selects; `None` if the type has no such part.
-    #[must_use]
     pub fn selected_type<'t>(&'t self, ty: &'t Type, selector: &PlaceSelector) -> Option<&'t Type> {
         match (selector, self.unaliased(ty)) {
             (PlaceSelector::Index(_), Type::Array(array)) => Some(&array.element),
@@ -56,7 +52,6 @@ impl Program {
     /// Returns the parts that a type directly consists of, each with its name and its type: the elements of an array at once and without
     /// a name, the fields of a structure, what a reference leads to, or the outputs of a function block, which alone every compiler lets its environment
     /// read.
-    #[must_use]
     pub fn parts<'t>(&'t self, ty: &'t Type) -> Vec<(PathStep, &'t str, &'t Type)> {
         match self.unaliased(ty) {
             Type::Elementary(_) => Vec::new(),
@@ -83,7 +78,6 @@ impl Program {
     ///
     /// An instance of a function block contributes its outputs, which every compiler lets its environment read. Enumerations
     /// are omitted because they have no elementary type; they enter the checksum.
-    #[must_use]
     pub fn observed(&self) -> Vec<(String, ElementaryType)> {
         let parts = self.observed_parts().into_iter();
         parts.map(|part| (part.path, part.ty)).collect()

@@ -23,7 +23,6 @@ pub struct Program {
 impl Program {
     /// Returns the words for a type of references and for the reference to a variable that the dialect has; `None` where it has neither
     /// references nor pointers.
-    #[must_use]
     pub fn reference_words(&self) -> Option<(&'static str, &'static str)> {
         let lacks = |features: [&str; 3]| features.iter().any(|key| self.dialect.rules().lacks(key));
         match lacks(["reference", "ref", "dereference"]) {
@@ -34,7 +33,6 @@ impl Program {
     }
 
     /// Creates a program without declarations and statements.
-    #[must_use]
     pub fn empty(dialect: DialectName) -> Program {
         Program {
             dialect,
@@ -171,7 +169,6 @@ pub enum Unit {
 
 impl Unit {
     /// Returns every unit of which the text has variables and statements, the methods before all function blocks.
-    #[must_use]
     pub fn all(program: &Program) -> Vec<Unit> {
         let functions = (0..program.functions.len()).map(Unit::Function);
         let blocks = program.blocks.iter().enumerate();

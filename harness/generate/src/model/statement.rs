@@ -55,7 +55,6 @@ pub struct ForLoop {
 
 impl Statement {
     /// Returns whether the statement is FOR, WHILE or REPEAT.
-    #[must_use]
     pub const fn is_loop(&self) -> bool {
         matches!(
             self,

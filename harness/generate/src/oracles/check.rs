@@ -39,7 +39,6 @@ pub struct SoundProgram<'d> {
 
 impl<'d> SoundProgram<'d> {
     /// Decodes an input; `None` if it is too short.
-    #[must_use]
     pub fn of(data: &'d [u8]) -> Option<SoundProgram<'d>> {
         let (of_the_error, of_the_program) = data.split_at_checked(OF_THE_ERROR)?;
         let (&of_the_style, error) = of_the_error.split_first()?;

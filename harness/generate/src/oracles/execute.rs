@@ -25,7 +25,6 @@ pub fn execute(data: &[u8]) -> Judged {
 }
 
 /// Generates the program of an input: of any dialect, without anything that documents leave open.
-#[must_use]
 pub fn program_of(data: &[u8]) -> Program {
     program(data, &GeneratorSettings::default())
 }

@@ -102,7 +102,6 @@ pub(super) fn failed<T>(symptom: impl Into<String>, message: impl Into<String>) 
 
 impl OracleFailure {
     /// Creates a failure without a program; [`OracleFailure::of_program`] adds one.
-    #[must_use]
     pub fn new(symptom: impl Into<String>, message: impl Into<String>) -> OracleFailure {
         OracleFailure {
             symptom: symptom.into(),

@@ -35,7 +35,6 @@ pub enum OutcomeSymptom {
 
 impl OutcomeSymptom {
     /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, and checksums last.
-    #[must_use]
     pub fn all(expected: &Outcome, got: &Outcome) -> Vec<OutcomeSymptom> {
         let deviations = deviations(expected, got).into_iter();
         deviations.map(|(symptom, _)| symptom).collect()
@@ -43,7 +42,6 @@ impl OutcomeSymptom {
 
     /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
     /// reason, as `rejected:P0002` is of `rejected:P0002 expected a type`.
-    #[must_use]
     pub fn is_meant_by(&self, wanted: &OutcomeSymptom) -> bool {
         match (self, wanted) {
             (OutcomeSymptom::Rejected(own), OutcomeSymptom::Rejected(code)) => {
@@ -57,7 +55,6 @@ impl OutcomeSymptom {
     }
 
     /// Returns whether an outcome shows this symptom, possibly among others.
-    #[must_use]
     pub fn shows(&self, expected: &Outcome, got: &Outcome) -> bool {
         OutcomeSymptom::all(expected, got).contains(self)
     }
@@ -65,7 +62,6 @@ impl OutcomeSymptom {
 
 /// Returns how the outcome of an engine deviates from the values that a program must give, with a message for a person: its most important
 /// symptom. `None` for an engine that gives them, or that says that it cannot.
-#[must_use]
 pub fn deviation(expected: &[(String, Value)], got: &Outcome) -> Option<(OutcomeSymptom, String)> {
     let expected = Outcome::executed(expected.to_vec());
     deviations(&expected, got).into_iter().next()
@@ -125,7 +121,6 @@ fn deviations(expected: &Outcome, got: &Outcome) -> Vec<(OutcomeSymptom, String)
 }
 
 /// Writes a diagnostic in one line.
-#[must_use]
 pub fn diagnostic_line(diagnostic: &Diagnostic) -> String {
     let code = diagnostic.code.as_deref().unwrap_or("error");
     let line = diagnostic.line.map(|line| format!(" on line {line}"));

@@ -15,7 +15,6 @@ pub struct WrittenProgram {
 
 /// Writes a program. Accepts any program, also one that is not well-typed; a reference to something that the program does
 /// not have is omitted.
-#[must_use]
 pub fn write(program: &Program, style: &Style) -> WrittenProgram {
     let mut writer = SourceWriter::new(program, *style);
     writer.types(&program.types);

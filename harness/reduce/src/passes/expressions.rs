@@ -101,34 +101,6 @@ pub(crate) fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
-/// Replaces outputs of instances by what the instances are given, instead of the calls that give it.
-pub(crate) fn output_to_given(view: &TextView<'_>) -> Vec<Edits> {
-    let mut changes = Vec::new();
-    for statement in view.statements() {
-        let StatementKind::Call(call) = statement.kind else {
-            continue;
-        };
-        let Some(ExpressionKind::Call { callee, arguments }) =
-            view.unit.expression(call).map(|call| &call.kind)
-        else {
-            continue;
-        };
-        let text = |id| &view.text()[view.range_of_expression(id)];
-        for (_, output) in view.expressions() {
-            let is_output =
-                matches!(output.kind, ExpressionKind::Field { base, .. } if text(base) == text(*callee));
-            for argument in arguments.iter().filter(|_| is_output) {
-                if let Argument::Named { value, .. } = argument {
-                    let mut edits = Edits::removing(view.range_of_statement(statement));
-                    edits.replace(output.span, text(*value));
-                    changes.push(edits);
-                }
-            }
-        }
-    }
-    view.only_allowed(changes)
-}
-
 /// Drops arguments of calls.
 pub(crate) fn drop_arguments(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();

@@ -117,7 +117,16 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             Some(ExpressionKind::Name(name) | ExpressionKind::Field { field: name, .. }) => name.text,
             _ => return false,
         };
-        match self.types.get(&CaseFolded(name)).map(|ty| &ty.kind) {
+        // A name may stand for a text in one unit and for an array in another.
+        let mut own = at
+            .pou
+            .iter()
+            .flat_map(|pou| &pou.blocks)
+            .flat_map(|block| &block.groups);
+        let own = own.find(|group| group.names.iter().any(|one| one.text.eq_ignore_ascii_case(name)));
+        let anywhere = || self.types.get(&CaseFolded(name)).copied();
+        let declared = own.map(|group| &group.specification).or_else(anywhere);
+        match declared.map(|ty| &ty.kind) {
             Some(Named(ty)) => ElementaryType::from_name(ty.text).is_some_and(ElementaryType::is_text),
             other => matches!(other, Some(Text { .. })),
         }
