@@ -281,7 +281,7 @@ impl Asking<'_> {
                         None => (case, event, sign),
                     };
                     let sign = asked.sign(case, died)?;
-                    asked.only_checks = sign.accepts() && sign != *died;
+                    asked.only_checks = sign.accepts();
                     let mut smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
                     let rendered = asked.of_rendered_text((case, event), &smallest)?;
                     let case = match &rendered {
