@@ -1,5 +1,5 @@
-//! Asks about the neighbours of a shown program: the same with another type, another number, in another dialect, or in a function block. They
-//! say how far a cause goes.
+//! Asks about the neighbours of a shown program: the same with another type, another number, or in another dialect. They say how far a cause
+//! goes.
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
@@ -29,9 +29,6 @@ const OTHERS: [ElementaryType; 6] = {
     [Bool, Int, Word, Real, Time, String]
 };
 
-/// A program that calls a function block.
-const HOSTING: &str = "\nPROGRAM main\nVAR\n    hosting : HOST;\nEND_VAR\n    hosting();\nEND_PROGRAM\n";
-
 /// The numbers of bits at whose limits a compiler may do otherwise.
 const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
 
@@ -51,16 +48,11 @@ impl Asking<'_> {
             if let Some(first) = first_wrong(&neighbours) {
                 member.cause.title += &format!(", from {first} on");
             }
-            for own in [&*member.cause.shown.dialect, "PROGRAM"] {
-                let others = || {
-                    neighbours
-                        .iter()
-                        .filter(|one| one.replaced.trim_matches('`') == own)
-                };
-                if others().next().is_some() && others().all(|one| !one.is_same) {
-                    let names: Vec<&str> = others().map(|one| one.by.as_str()).collect();
-                    member.cause.title += &format!(", but not in {}", names.join(" or "));
-                }
+            let own = format!("`{}`", member.cause.shown.dialect);
+            let others = || neighbours.iter().filter(|one| one.replaced == own);
+            if others().next().is_some() && others().all(|one| !one.is_same) {
+                let names: Vec<&str> = others().map(|one| one.by.as_str()).collect();
+                member.cause.title += &format!(", but not in {}", names.join(" or "));
             }
             member.cause.shown.neighbours = neighbours;
             member.neighbours = keys;
@@ -114,12 +106,6 @@ impl Asking<'_> {
             Some((neighbour(known.dialect.as_str(), dialect.as_str()), case))
         });
         let dialects: Vec<(Neighbour, Case)> = dialects.collect();
-        // A compiler may see in a function block what it does not see in a program.
-        let hosted = shown.program.replace("PROGRAM main", "FUNCTION_BLOCK HOST");
-        let hosted = hosted.replace("END_PROGRAM", "END_FUNCTION_BLOCK") + HOSTING;
-        let hosted = Some(hosted)
-            .filter(|_| member.sign.accepts())
-            .and_then(|text| with_case(&text));
         let types = read(&shown.program, |program| with_other_types(program, is_value)).into_iter();
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
@@ -163,16 +149,6 @@ impl Asking<'_> {
             if let Some(is_same) = is_same(&case)? {
                 found.push(Neighbour { is_same, ..neighbour });
             }
-        }
-        if let Some(case) = hosted
-            && is_same(&case)? == Some(false)
-        {
-            let by = "a FUNCTION_BLOCK".to_owned();
-            found.push(Neighbour {
-                is_same: false,
-                by,
-                ..neighbour("PROGRAM", "")
-            });
         }
         for (neighbour, case) in types {
             if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {

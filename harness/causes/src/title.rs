@@ -48,8 +48,8 @@ struct Titled<'t, 's> {
 }
 
 impl Titled<'_, '_> {
-    /// Returns a declaration that nothing uses and of which nothing is reported: of another variable in the section of the line that is, or of a
-    /// type where an engine reports a line of a valid program.
+    /// Returns a declaration that nothing uses and that is no mistake: of another variable in the section of the line of a mistake, or of a type
+    /// where an engine reports a line of a valid program.
     fn unused(&self) -> Option<&str> {
         let (expected, got) = (first(self.expected).line, first(self.got).line);
         let line = expected.or(got)?;
@@ -59,7 +59,7 @@ impl Titled<'_, '_> {
             |span: Span| (self.program.line(span)..=self.program.lines.line(span.end)).contains(&line);
         let sections = self.program.unit.pous().flat_map(|pou| &pou.blocks);
         let groups = sections
-            .filter(|section| covers(section.span))
+            .filter(|section| expected.is_some() && covers(section.span))
             .flat_map(|section| &section.groups);
         let variables = groups.map(|group| (group.names[0], group.specification.span));
         let types = self.program.unit.types().filter(|_| expected.is_none());

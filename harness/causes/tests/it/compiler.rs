@@ -24,7 +24,7 @@ pub struct Defects {
     pub unusable: Vec<(String, String)>,
     /// Whether it dies over each program with a mistake when that is run.
     pub dies_of_mistakes: bool,
-    /// The codes of the mistakes that it does not see, as in `P4049` and `P4049 without FUNCTION_BLOCK` in the program.
+    /// The codes of the mistakes that it does not see.
     pub accepts: Vec<String>,
     /// A code with which it reports each mistake once more.
     pub adds: Option<String>,
@@ -269,13 +269,7 @@ impl Defects {
             Outcome::Rejected { mut diagnostics } => {
                 let is_seen = |reported: &Diagnostic| {
                     let code = reported.code.as_deref().unwrap_or_default();
-                    !self
-                        .accepts
-                        .iter()
-                        .any(|accepted| match accepted.split_once(" without ") {
-                            Some((accepted, text)) => accepted == code && !source.contains(text),
-                            None => accepted == code,
-                        })
+                    !self.accepts.iter().any(|accepted| accepted == code)
                 };
                 diagnostics.retain(is_seen);
                 let is_lost = |reported: &&mut Diagnostic| {
