@@ -64,8 +64,9 @@ fn rendered(whole: &ExpectedText, program: &str, dialect: DialectName) -> Option
     let lines: Vec<Box<str>> = rendered_bodies(&text).into_iter().map(Box::from).collect();
     let plain = |line: &str| line.split_whitespace().collect::<String>();
     let written: Vec<String> = program.lines().map(plain).collect();
-    let is_kept = |line: &Box<str>| whole.lines.contains(line) || written.contains(&plain(line));
-    lines.iter().all(is_kept).then(|| Expectation {
+    let mut all = lines.iter();
+    let is_kept = all.all(|line| whole.lines.contains(line) || written.contains(&plain(line)));
+    is_kept.then(|| Expectation {
         rendered: Some(ExpectedText {
             lines,
             line: whole.line,
