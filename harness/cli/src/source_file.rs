@@ -75,11 +75,12 @@ impl Program {
     fn add(&mut self, path: &Path) -> anyhow::Result<()> {
         const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
         let (bytes, name) = read(path)?;
-        // One sentence says more than a diagnostic for each stray byte.
+        // One sentence says more than a diagnostic for each stray byte. What is no text shows it at its beginning.
+        let sample = &bytes[..bytes.len().min(4096)];
         let is_stray = |byte: &u8| *byte < b' ' && !b"\t\n\r\x0b\x0c\x1a".contains(byte);
-        let mut strays = (0..).zip(&bytes).filter(|(_, byte)| is_stray(byte));
+        let mut strays = (0..).zip(sample).filter(|(_, byte)| is_stray(byte));
         let first = strays.next().map_or(0, |(at, _)| at);
-        if strays.count() > bytes.len() / 20 {
+        if strays.count() > sample.len() / 20 {
             let (line, column) = place(&bytes[..first]);
             bail!(
                 "{name}:{line}:{column}: the byte 16#{:02X} begins what is no text; a program is text in UTF-8, so save it as such",

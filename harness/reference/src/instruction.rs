@@ -131,7 +131,7 @@ pub enum Instruction {
     /// Pops the address of a text and a subscript; pushes both as one, for the two instructions that follow. Faults with subscript-range
     /// where the dialect has no character there.
     Character {
-        /// What the subscript selects.
+        /// Whether a subscript selects a character from 1 or a code from 0.
         of: TextElements,
         /// Whether the subscript's raw form is unsigned.
         unsigned: bool,
