@@ -61,7 +61,7 @@ impl Titled<'_, '_> {
         let groups = sections
             .filter(|section| expected.is_some() && covers(section.span))
             .flat_map(|section| &section.groups);
-        let variables = groups.map(|group| (group.names[0], group.specification.span));
+        let variables = groups.filter_map(|group| Some((*group.names.first()?, group.specification.span)));
         let types = self.program.unit.types().filter(|_| expected.is_none());
         let mut all = variables.chain(types.map(|one| (one.name, one.specification.span)));
         let (unused, _) = all.find(|(name, span)| number(name.text) == 1 && !covers(*span))?;
