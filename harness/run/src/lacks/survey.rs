@@ -231,12 +231,17 @@ fn has(dialect: DialectName, feature: &Feature) -> bool {
     checked.is_ok_and(|outcome| matches!(outcome, Outcome::Accepted { .. }))
 }
 
-/// Keeps of the features that an engine lacks those that do not need another of them.
+/// Keeps of the features that an engine lacks those that do not need another of them; of those that need each other the first.
 fn retain_roots(lacked: &mut Vec<LackedFeature<'_>>) {
-    let keys: BTreeSet<&str> = lacked.iter().map(|lacked| &*lacked.feature.key).collect();
-    let needs_none =
-        |lacked: &LackedFeature<'_>| !lacked.feature.needs.iter().any(|need| keys.contains(&**need));
-    lacked.retain(needs_none);
+    let features: Vec<&Feature> = lacked.iter().map(|lacked| lacked.feature).collect();
+    let needs = |one: &Feature, other: &Feature| one.needs.contains(&other.key);
+    let is_root = |at: usize, one: &Feature| {
+        let mut others = features.iter().enumerate();
+        !others.any(|(place, other)| needs(one, other) && (place < at || !needs(other, one)))
+    };
+    let roots = features.iter().enumerate().map(|(at, one)| is_root(at, one));
+    let mut roots = roots.collect::<Vec<_>>().into_iter();
+    lacked.retain(|_| roots.next() == Some(true));
 }
 
 /// # Errors

@@ -2,11 +2,11 @@
 
 use crate::fixtures::{puppet, suite, timeless_run, with_jobs};
 use crate::words::expecting;
-use stickler_engines::{ClosureEngine, Outcome, RunRequest};
+use stickler_engines::{ClosureEngine, Engine, Outcome, Reference, RunRequest};
 use stickler_mdtest::{Example, check_examples};
 use stickler_run::{Cause, Event, Grade, Plan, RunError, run};
 use stickler_suite::{Case, Features, Suite};
-use stickler_types::Diagnostic;
+use stickler_types::{Diagnostic, DialectName};
 use stickler_workers::Cancellation;
 
 /// Returns the case of a line: an id, what it expects, the type of a variable, and a statement.
@@ -106,4 +106,17 @@ fn an_engine_that_rejects_the_plainest_program_ends_the_run() {
         &Cancellation::new(),
     );
     assert!(matches!(result, Err(RunError::RejectsAll { .. })), "{result:?}");
+}
+
+#[test]
+fn the_third_edition_takes_the_minimal_programs_of_its_features() {
+    for feature in Features::built_in()
+        .iter()
+        .filter(|feature| feature.tables.contains_key(&3))
+    {
+        let checked = Reference::new()
+            .session()
+            .map(|mut session| session.check(DialectName::IEC_ED3, &feature.program));
+        assert_eq!(checked.expect("a session"), Outcome::ACCEPTED, "{}", feature.key);
+    }
 }
