@@ -4,12 +4,13 @@
 use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
 use crate::smaller_case::all_values;
-use crate::words::{converted, is_number, type_of_word};
+use crate::words::{converted, elementary, is_number, tokens, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
 use stickler_reference::errors;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
+use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, StatementKind};
 use stickler_syntax::visitor::Place;
 use stickler_types::{DialectName, ElementaryType, Value};
@@ -203,6 +204,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
         calls.extend(calls_alone(program, part));
+        calls.extend(operation_alone(program, part));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -298,6 +300,31 @@ fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone>
                 .collect()
         }
     }
+}
+
+/// Returns the assignment of an operation with one variable that is given to something else than a variable.
+fn operation_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
+    let operates =
+        matches!(part.expression.kind, ExpressionKind::Unary { .. }) || binary(program, part.id).is_some();
+    let ty = program
+        .target(part)
+        .filter(|_| operates && part.place != Place::Value)?;
+    let text = program.text(part.id);
+    let names = || {
+        tokens(text)
+            .into_iter()
+            .filter(|token| token.kind == TokenKind::Name)
+    };
+    let name = names().next()?.span.text(text);
+    let is_alone = names().all(|token| token.span.text(text).eq_ignore_ascii_case(name));
+    let own = program
+        .group(name)
+        .filter(|_| is_alone && !text.contains(['.', '[', '^']))?;
+    let from = elementary(own.specification.span.text(program.text))?;
+    let mut edits = Edits::new();
+    names().for_each(|token| edits.replace(token.span, "data"));
+    let initial = program.initial(name).map(str::to_owned);
+    Some(Alone::new(Some((from, initial)), ty, &edits.apply(text)))
 }
 
 /// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is

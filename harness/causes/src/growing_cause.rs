@@ -4,7 +4,7 @@ use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
-use crate::failure_sign::{Sign, has_lost_place, is_unread};
+use crate::failure_sign::{Sign, has_lost_place, is_of_reading, is_unread};
 use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
 use crate::line_features::STANDARD_PARAMETER;
@@ -262,6 +262,8 @@ impl GrowingCause {
             },
             // A wrong value says more than what else comes of the same.
             self.essence.pattern.is_some_and(is_whatever_comes) && self.sign.symptom != Symptom::Value,
+            // Behind what cannot be read, many a compiler tells nothing.
+            matches!(&self.sign.symptom, Symptom::Incomplete(code) if is_of_reading(code)),
             self.cause.shown.is_derived,
             self.rank,
             operations(program).len(),

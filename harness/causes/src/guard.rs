@@ -23,8 +23,8 @@ pub(crate) struct Constructs {
     limited: BTreeSet<String>,
     /// The ways in which its statements use each name, in capitals: by itself, an element, a bit, a field.
     uses: BTreeMap<String, BTreeSet<String>>,
-    /// The names that are declared with an elementary type, in capitals.
-    elementary: BTreeSet<String>,
+    /// The elementary types that names are declared with, in capitals.
+    elementary: BTreeMap<String, ElementaryType>,
     /// Whether there is a section of variables, which some compilers demand.
     has_variables: bool,
     /// Whether there is a PROGRAM, without which some compilers take no text.
@@ -63,7 +63,7 @@ impl Constructs {
         limited.extend(undeclared.map(|(name, _)| format!("undeclared {name}")));
         Constructs {
             limited,
-            elementary: elementary_names(&program),
+            elementary: elementary_types(&program),
             has_variables: all.iter().any(|token| token.kind == TokenKind::EndVar),
             has_program: all.iter().any(|token| token.kind == TokenKind::Program),
             has_empty_section: has_pair(&all, |one, next| one.opens_section() && next == TokenKind::EndVar),
@@ -85,12 +85,14 @@ impl Constructs {
     }
 
     /// Returns whether no use of a name lost a subscript, a bit or a field, as `a[1]` would become `a`. A variable that has an
-    /// elementary type now has lost those of its former type.
+    /// elementary type now has lost those of its former type, and a BOOL the bits.
     fn keeps_uses(&self, name: &str, smaller: &Constructs) -> bool {
         let (Some(before), Some(now)) = (self.uses.get(name), smaller.uses.get(name)) else {
             return true;
         };
-        let is_unwrapped = smaller.elementary.contains(name) && !self.elementary.contains(name);
+        let (former, ty) = (self.elementary.get(name), smaller.elementary.get(name));
+        let is_unwrapped =
+            ty.is_some() && (former.is_none() || ty != former && ty == Some(&ElementaryType::Bool));
         let is_cut = |way: &String| {
             !before.contains(way) && before.iter().any(|longer| longer.starts_with(way.as_str()))
         };
@@ -190,14 +192,13 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
     found
 }
 
-/// Returns the names that are declared with an elementary type.
-fn elementary_names(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
-    let is_elementary = |one: &&DeclaredName<'_, '_>| {
-        let written = one.group.map(|group| group.specification.span.text(program.text));
-        written.is_some_and(|written| elementary(written).is_some())
+/// Returns the elementary types that names are declared with.
+fn elementary_types(program: &ReadProgram<'_, '_>) -> BTreeMap<String, ElementaryType> {
+    let typed = |one: &DeclaredName<'_, '_>| {
+        let written = one.group?.specification.span.text(program.text);
+        Some((one.name.text.to_ascii_uppercase(), elementary(written)?))
     };
-    let found = program.names.iter().filter(is_elementary);
-    found.map(|one| one.name.text.to_ascii_uppercase()).collect()
+    program.names.iter().filter_map(typed).collect()
 }
 
 /// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`, and the locations of

@@ -29,6 +29,9 @@ const OTHERS: [ElementaryType; 6] = {
     [Bool, Int, Word, Real, Time, String]
 };
 
+/// The words for the type that no program declares.
+const UNDECLARED: &str = "a type that is not declared";
+
 /// The numbers of bits at whose limits a compiler may do otherwise.
 const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
 
@@ -82,10 +85,13 @@ impl Asking<'_> {
         let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
         let tells = !is_value && !member.sign.accepts();
         // A neighbour has the same mistakes.
+        let crashes = matches!(symptom, Symptom::Crash(_));
         let has_mistakes = |case: &Case| {
             let (told, wanted) = (&case.expectation, &own.expectation);
             let codes = wanted.diagnostics.iter().map(|one| one.code);
-            told.accepted == wanted.accepted && told.diagnostics.iter().map(|one| one.code).eq(codes)
+            let is_same = told.accepted == wanted.accepted;
+            // No mistake may make a compiler crash.
+            crashes || is_same && told.diagnostics.iter().map(|one| one.code).eq(codes)
         };
         let with_case = |program: &str| {
             as_shown(program).filter(|case| {
@@ -106,7 +112,10 @@ impl Asking<'_> {
             Some((neighbour(known.dialect.as_str(), dialect.as_str()), case))
         });
         let dialects: Vec<(Neighbour, Case)> = dialects.collect();
-        let types = read(&shown.program, |program| with_other_types(program, is_value)).into_iter();
+        let types = read(&shown.program, |program| {
+            with_other_types(program, (is_value, crashes))
+        })
+        .into_iter();
         let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let types: Vec<(Neighbour, Case)> = types.collect();
         let program = Program::new(&shown.program);
@@ -151,6 +160,7 @@ impl Asking<'_> {
             }
         }
         for (neighbour, case) in types {
+            let tells = tells && neighbour.by != UNDECLARED;
             if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {
                 found.push(Neighbour { is_same, ..neighbour });
             }
@@ -237,8 +247,11 @@ fn is_alike(one: &Symptom, other: &Symptom) -> bool {
 }
 
 /// Returns a program with other types in the place of each of its types, of which the program names none; with `only_alike` those of the same
-/// family alone, since a value of another is computed otherwise.
-fn with_other_types(program: &ReadProgram<'_, '_>, only_alike: bool) -> Vec<(Neighbour, String)> {
+/// family alone, since a value of another is computed otherwise; and `with_undeclared` with a type that nothing declares.
+fn with_other_types(
+    program: &ReadProgram<'_, '_>,
+    (only_alike, with_undeclared): (bool, bool),
+) -> Vec<(Neighbour, String)> {
     let there = named_types(program.text);
     let mut found = Vec::new();
     for ty in there.iter().filter_map(|name| elementary(name)) {
@@ -253,6 +266,17 @@ fn with_other_types(program: &ReadProgram<'_, '_>, only_alike: bool) -> Vec<(Nei
         found.extend(others.map(|other| {
             let program = with_types(program.text, &[(ty.name(), other.name())]);
             (neighbour(ty.name(), other.name()), program)
+        }));
+        found.extend(with_undeclared.then(|| {
+            let by = UNDECLARED.to_owned();
+            let program = with_types(program.text, &[(ty.name(), "UNDECLARED")]);
+            (
+                Neighbour {
+                    by,
+                    ..neighbour(ty.name(), "")
+                },
+                program,
+            )
         }));
     }
     found

@@ -6,7 +6,7 @@ use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::number_of_literal;
 use crate::program::ReadProgram;
 use crate::question::{Deviation, wrong_values};
-use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types, words};
+use crate::words::{converted, elementary, has_word, is_number, kind, type_of_word, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeSet;
 use stickler_syntax::tree::BinaryOperator;
@@ -109,16 +109,24 @@ impl WrongNumber<'_, '_, '_> {
         first.map(|(_, values)| values)
     }
 
-    /// Returns whether the first wrong value is a text with a `$`, as a literal of the program has it between its quotes.
+    /// Returns whether the first wrong value is a text with a `$`, as a literal of the program has it between its quotes, or the length of
+    /// that.
     fn keeps_escapes(&self) -> bool {
-        let Some((_, Value::Text { units, .. })) = self.values() else {
+        let Some((_, got)) = self.values() else {
             return false;
         };
+        let measures = has_word(self.program.text, "LEN");
         let is_written = |literal: &str| {
             let inside = literal
                 .get(1..literal.len().saturating_sub(1))
                 .unwrap_or_default();
-            inside.contains('$') && inside.encode_utf16().eq(units.iter().copied())
+            let written = inside.encode_utf16();
+            inside.contains('$')
+                && match got {
+                    Value::Text { units, .. } => written.eq(units.iter().copied()),
+                    Value::Plain { raw, .. } => measures && *raw == written.count() as u64,
+                    _ => false,
+                }
         };
         self.program.literals().any(|(_, literal)| is_written(literal))
     }
@@ -259,12 +267,13 @@ impl WrongNumber<'_, '_, '_> {
         let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
             return false;
         };
-        valued_types(self.program.text).into_iter().any(|narrow| {
-            let first = 1_u64 << (narrow.bits() - 1);
+        let mut types = valued_types(self.program.text).into_iter();
+        types.any(|narrow| {
+            let first = || 1_u64 << (narrow.bits() - 1);
             kind(narrow) == Some("integer")
                 && narrow.family() != Family::Signed
                 && narrow.bits() < ty.bits()
-                && raw & first != 0
+                && raw & first() != 0
                 && raw & !mask(narrow) & mask(ty) == 0
                 && (raw | !mask(narrow)) & mask(ty) == got & mask(ty)
         })

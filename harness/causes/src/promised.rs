@@ -42,6 +42,15 @@ pub(crate) fn promise<'s>(
     let program = Program::new(&shown.program);
     let program = program.read();
     let line = line_at_fault(&program, shown).filter(|_| is_refused && !is_of_mistake)?;
+    // What cannot be read may be the blank before a sign.
+    let is_behind = |text: &str, at: usize| text[..at].ends_with(|sign: char| !"=,(".contains(sign));
+    let has_blank = |text: &str| {
+        let found = [" ;", " [", " ^", " )"].map(|pair| text.find(pair));
+        found.into_iter().flatten().any(|at| is_behind(text, at))
+    };
+    if is_unread(&shown.deviation.got) && program.line_text(line).is_some_and(has_blank) {
+        return None;
+    }
     let feature = specific(
         &program,
         (line, &shown.deviation.got),

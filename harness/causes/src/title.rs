@@ -116,7 +116,8 @@ impl Titled<'_, '_> {
             Symptom::Incomplete(code) => {
                 let missing = self.missing(code);
                 let (line, mistake) = (self.line(missing.line), named(&missing));
-                format!("{line}: {mistake} is not reported beside other mistakes")
+                let other = self.line(first(got).line);
+                format!("{line}: {mistake} is not reported beside the mistake in {other}")
             }
             Symptom::Surplus(reported) => self.surplus(reported, &wanted),
             Symptom::Value | Symptom::Missing => self.wrong_value(),
@@ -134,8 +135,15 @@ impl Titled<'_, '_> {
             }
             // What is wrong with a program may be what the engine does not bear.
             Symptom::Crash(words) => {
-                let place = compiler_place(got).map(|place| format!(" at {place}"));
-                let reason = place.unwrap_or_else(|| format!(": {}", self.reason(words)));
+                let reason = self.reason(words);
+                // What a panic says stands behind its place.
+                let says = reason
+                    .split(" | ")
+                    .skip_while(|part| !part.contains("panicked at"))
+                    .nth(1);
+                let says = says.map_or(String::new(), |says| format!(": {says}"));
+                let place = compiler_place(got).map(|place| format!(" at {place}{says}"));
+                let reason = place.unwrap_or_else(|| format!(": {reason}"));
                 let wrong = wanted.code.as_deref().and_then(|code| self.wrong(code));
                 let wrong = wrong.map_or(String::new(), |wrong| format!(", where {wrong},"));
                 format!("{}{wrong} makes it crash{reason}", self.line_in_unit(wanted.line))
