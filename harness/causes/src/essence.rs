@@ -11,9 +11,9 @@ use crate::line_features::{
     DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine,
 };
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
-use crate::malformed::is_beyond_type;
+use crate::malformed::{SIZES, is_beyond_type};
 use crate::normal_form::{NUMBERS_PLACELESS, Normal, is_whatever_comes};
-use crate::patterns::{UNREAD_ESCAPES, has_first_bit, number_pattern};
+use crate::patterns::{BITS_OF_LREAL, UNREAD_ESCAPES, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
 use crate::question::{Deviation, wrong_values};
@@ -35,6 +35,9 @@ const INCOMPLETE: &str = "incomplete";
 
 /// The symptom of a mistake in a literal that is told without its place.
 const LITERAL_WITHOUT_PLACE: &str = "no place number";
+
+/// The symptom of a function of the library that an engine does not have.
+pub(crate) const UNKNOWN_FUNCTION: &str = "function that is not there";
 
 /// The feature of a literal that its own type does not hold.
 pub(crate) const BEYOND_TYPE: &str = "typed literal beyond its type";
@@ -128,6 +131,9 @@ impl Essence {
         // Every program has statements.
         let hidden = hidden(&line, sign, normal);
         let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != IN_STATEMENTS));
+        // Where such integers become LREALs, one that becomes zero is too large for the way back.
+        let is_zero = pattern == Some(SIZES[1]);
+        let hidden = hidden.or_else(|| is_zero.then(|| (Symptom::Value.word(), words([BITS_OF_LREAL]))));
         let mut labels = match is_value && pattern.is_none() {
             true => labels(&read),
             false => BTreeSet::new(),
@@ -142,6 +148,7 @@ impl Essence {
                 .or(normal.way.filter(|_| tells_way))
                 .or((symptom == LITERAL_WITHOUT_PLACE).then_some("mistake in a literal"))
                 .or((symptom == INCOMPLETE).then_some("mistakes beside others"))
+                .or((symptom == UNKNOWN_FUNCTION).then_some(UNKNOWN_FUNCTION))
                 .or_else(|| MISSING_THERE.into_iter().find(|missing| symptom == *missing)),
             constructs: features,
             labels,
@@ -229,6 +236,10 @@ fn needs(
                 return (format!("{ACCEPTED} doubled name"), BTreeSet::new(), false);
             }
             (symptom, features, names_construct)
+        }
+        // Which function is not there, and what it is for, does not matter.
+        Symptom::Rejected(_) | Symptom::Unusable(_) if line.lacks_function(got) => {
+            (UNKNOWN_FUNCTION.to_owned(), BTreeSet::new(), false)
         }
         // What the engine says of a literal depends on the place where it stands.
         Symptom::Rejected(reason) if line.size_of_integers().is_some() => {

@@ -2,14 +2,14 @@
 
 use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
-use crate::essence::Essence;
+use crate::essence::{Essence, UNKNOWN_FUNCTION};
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, has_lost_place, is_of_reading, is_unread};
 use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::{Normal, is_whatever_comes};
-use crate::program::read;
+use crate::program::{Part, ReadProgram, read};
 use crate::promised::{cite, page_of_code, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
 use crate::title::title;
@@ -21,6 +21,7 @@ use stickler_engines::Identity;
 use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_syntax::tree::Pou;
+use stickler_syntax::visitor::Place;
 use stickler_types::Code;
 
 /// A cause while groups are added to it.
@@ -30,6 +31,8 @@ pub(crate) struct GrowingCause {
     pub(crate) sign: Sign,
     /// The keys of the neighbours of its program with which the engine deviates in the same way.
     pub(crate) neighbours: Vec<CauseKey>,
+    /// The functions of the library that are called, where the engine does not have them.
+    pub(crate) functions: BTreeSet<String>,
     /// The arguments that the ids of all cases have.
     shared: BTreeSet<String>,
     /// Whether the shown claim does not bind the engine.
@@ -153,6 +156,10 @@ impl GrowingCause {
         let lacks = if is_of_page { &engine.lacks } else { Code::ALL };
         shown.deviation.forget_codes(lacks);
         let shown = &shown;
+        let functions = match essence.symptom == UNKNOWN_FUNCTION {
+            true => read(&shown.program, called_functions),
+            false => BTreeSet::new(),
+        };
         let cause = Cause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
@@ -196,6 +203,7 @@ impl GrowingCause {
             essence,
             sign: shown.deviation.sign.clone(),
             neighbours: Vec::new(),
+            functions,
             shared: group.shared.clone(),
             keeps_claim,
             agreeing: 0,
@@ -319,6 +327,8 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         let mut member = member;
         cause.shared.retain(|argument| member.shared.contains(argument));
         member.shared.clone_from(&cause.shared);
+        cause.functions.append(&mut member.functions);
+        member.functions.clone_from(&cause.functions);
         let is_same = cause.essence == member.essence;
         // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
         // claim still speaks.
@@ -364,6 +374,13 @@ pub(crate) fn merged_with_neighbours(causes: Vec<GrowingCause>) -> Vec<GrowingCa
         }
     }
     found
+}
+
+/// Returns the functions that a program calls and does not declare, in capitals.
+pub(crate) fn called_functions(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
+    let names = program.at(Place::Callee).filter_map(Part::name);
+    let of_library = names.filter(|name| !program.declares(name));
+    of_library.map(str::to_ascii_uppercase).collect()
 }
 
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.

@@ -41,7 +41,7 @@ use stickler_syntax::tree::{
     Argument, ExpressionKind, TypeSpecification, TypeSpecificationKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::Value;
+use stickler_types::{Code, Value};
 
 /// The feature of a line that stands among the types.
 const IN_TYPES: &str = "type";
@@ -66,6 +66,18 @@ pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
 
 /// The feature of a large integer that is a label of CASE.
 const LARGE_LABEL: &str = "large integer as a label";
+
+/// The words with which engines say that they do not know a function that they name.
+const UNKNOWN: [&str; 8] = [
+    "not declared",
+    "undeclared",
+    "not defined",
+    "undefined",
+    "unknown",
+    "not found",
+    "not resolve",
+    "no function",
+];
 
 /// A set of words.
 type Words = BTreeSet<String>;
@@ -420,6 +432,28 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn calls_standard(&self) -> bool {
         let is_standard = |name: &str| !self.program.declares(name) && converted(name).is_none();
         self.callees().any(is_standard)
+    }
+
+    /// Returns whether an engine says that it does not know a function of the library that the line calls.
+    pub(crate) fn lacks_function(&self, got: &[Fact]) -> bool {
+        let said = got.iter().find_map(|fact| match fact {
+            Fact::Unusable { reason } => Some(reason),
+            _ => Some(&fact.diagnostic()?.message),
+        });
+        let is_unknown = |said: &str| {
+            let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
+            codes.any(|code| code == Code::FunctionCallUndeclared)
+                || UNKNOWN
+                    .iter()
+                    .any(|words| said.to_ascii_lowercase().contains(words))
+        };
+        let mut callees = self.callees().filter(|name| !self.program.declares(name));
+        // What stands in quotes is no text here.
+        let names = |said: &str, name: &str| {
+            let mut words = said.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
+            words.any(|word| word.eq_ignore_ascii_case(name))
+        };
+        said.is_some_and(|said| is_unknown(said) && callees.any(|name| names(said, name)))
     }
 
     /// Returns the standard functions, and the operators among them, that the line calls.

@@ -4,7 +4,7 @@
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
 use crate::forms::{named_types, with_types};
-use crate::growing_cause::GrowingCause;
+use crate::growing_cause::{GrowingCause, called_functions};
 use crate::key::CauseKey;
 use crate::malformed::number_of_literal;
 use crate::program::{Program, ReadProgram, read};
@@ -22,6 +22,9 @@ use stickler_workers::WorkerPool;
 
 /// The maximum number of types of the same family that are tried in the place of one.
 const MAX_ALIKE: usize = 3;
+
+/// The maximum number of functions that are told to be missing, too.
+const MAX_FUNCTIONS: usize = 30;
 
 /// The types of which those of other families are tried.
 const OTHERS: [ElementaryType; 6] = {
@@ -58,6 +61,11 @@ impl Asking<'_> {
                 member.cause.title += &format!(", but not in {}", names.join(" or "));
             }
             member.cause.shown.neighbours = neighbours;
+            let own = read(&member.cause.shown.program, called_functions);
+            let others = member.functions.difference(&own).take(MAX_FUNCTIONS);
+            let others = others.zip(own.iter().cycle());
+            let others = others.map(|(by, replaced)| neighbour(replaced, by));
+            member.cause.shown.neighbours.extend(others);
             member.neighbours = keys;
         }
         Ok(())

@@ -3,7 +3,7 @@
 use crate::alone::binary;
 use crate::forms::named_types;
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
-use crate::malformed::number_of_literal;
+use crate::malformed::{SIZES, number_of_literal, size_of_integer};
 use crate::program::ReadProgram;
 use crate::question::{Deviation, wrong_values};
 use crate::words::{converted, elementary, has_word, is_number, kind, type_of_word, valued_types, words};
@@ -15,6 +15,9 @@ use stickler_types::{ElementaryType, Family, Value};
 
 /// The pattern of a text of which no escape is read.
 pub(crate) const UNREAD_ESCAPES: &str = "text with its escapes as they are written";
+
+/// The pattern of an integer that the engine reads as an LREAL.
+pub(crate) const BITS_OF_LREAL: &str = "integer literal with the bits of an LREAL";
 
 /// The milliseconds of a second.
 const MILLISECONDS: f64 = 1000.0;
@@ -53,9 +56,10 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             wrong.keeps_range(),
             "conversion to an integer that does not bring it into its range",
         ),
+        (wrong.becomes_zero(), SIZES[1]),
         (
             wrong.rounds_to_lreal() || wrong.compares_beyond_lreal(),
-            "integer literal with the bits of an LREAL",
+            BITS_OF_LREAL,
         ),
         (wrong.keeps_lreal(), "REAL literal with the bits of an LREAL"),
         (wrong.keeps_escapes(), UNREAD_ESCAPES),
@@ -366,6 +370,16 @@ impl WrongNumber<'_, '_, '_> {
         let around = line.and_then(|line| self.program.loop_around(line));
         let is_greater = self.numbers().is_some_and(|(wanted, got)| got > wanted);
         is_greater && around.is_some() && around == loop_beyond_limit(self.program)
+    }
+
+    /// Returns whether the first wrong value is zero in the place of an integer literal of 64 bits: an LREAL that is too large may become
+    /// that, and a literal that is not read.
+    fn becomes_zero(&self) -> bool {
+        let is_zero = self
+            .bits()
+            .is_some_and(|(ty, _, got)| got == 0 && ty.bits() == 64);
+        let mut literals = self.program.literals();
+        is_zero && literals.any(|(_, literal)| size_of_integer(literal) == Some(SIZES[1]))
     }
 
     /// Returns whether the wrong truth value is what a comparison of two integer literals gives with the nearest LREAL of each.

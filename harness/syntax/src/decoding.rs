@@ -13,7 +13,6 @@ pub(crate) const NO_TEXT: &str = "bytes that are no UTF-8 text";
 ///
 /// Gives the text, borrowed where nothing had to be replaced, and a P0003 for each such place, whose span
 /// is that of the replacement characters in the text.
-#[must_use]
 pub fn decode(bytes: &[u8]) -> (Cow<'_, str>, Vec<SpannedDiagnostic>) {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if let Ok(text) = std::str::from_utf8(bytes) {

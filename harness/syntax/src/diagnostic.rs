@@ -29,7 +29,6 @@ impl SpannedDiagnostic {
 }
 
 /// Returns whether a diagnostic is an error, for which the text is rejected.
-#[must_use]
 pub fn has_errors(diagnostics: &[SpannedDiagnostic]) -> bool {
     diagnostics
         .iter()

@@ -15,13 +15,11 @@ struct Edit {
 
 impl Edits {
     /// Returns an empty list of edits.
-    #[must_use]
     pub fn new() -> Edits {
         Edits::default()
     }
 
     /// Returns one edit: `with` in the place of a range.
-    #[must_use]
     pub fn replacing(at: impl Into<Range<usize>>, with: impl Into<String>) -> Edits {
         let mut edits = Edits::new();
         edits.replace(at, with);
@@ -29,7 +27,6 @@ impl Edits {
     }
 
     /// Returns one edit that removes a range.
-    #[must_use]
     pub fn removing(at: impl Into<Range<usize>>) -> Edits {
         Edits::replacing(at, "")
     }
@@ -53,7 +50,6 @@ impl Edits {
     }
 
     /// Returns whether there is no edit.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -63,7 +59,6 @@ impl Edits {
     /// Of overlapping edits the one that begins first is made, and of two that begin together the longer one; one that does
     /// not fit the text is left out. Two insertions at one place are both made; an insertion where a replacement begins is
     /// left out.
-    #[must_use]
     pub fn apply(&self, text: &str) -> String {
         let mut edits: Vec<&Edit> = self.0.iter().collect();
         edits.sort_by_key(|edit| (edit.at.start, usize::MAX - edit.at.end));

@@ -6,7 +6,6 @@ use stickler_types::dialect::Dialect;
 
 /// The span of the last token of a text, to which belongs what is wrong at its end; the empty span at the
 /// start where the text has no token.
-#[must_use]
 pub fn last_token(text: &str, dialect: &Dialect) -> Span {
     let tokens = lexer::lex(text, dialect).tokens;
     // The very last one stands for the end itself.

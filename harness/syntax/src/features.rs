@@ -37,14 +37,12 @@ pub struct FeatureUse {
 }
 
 /// Returns the keys of the features that a program uses.
-#[must_use]
 pub fn features(text: &str, dialect: &Dialect) -> BTreeSet<FeatureKey> {
     let uses = feature_uses(text, dialect).into_iter();
     uses.map(|used| used.key).collect()
 }
 
 /// Returns the features that a program uses, each where it does, in the order of the text.
-#[must_use]
 pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
     let dialect = with_all_syntax(dialect);
     let (unit, _) = crate::parse(text, &dialect);
@@ -224,7 +222,6 @@ fn partial_access(written: &str) -> &'static str {
 }
 
 /// Returns the key of the feature of a standard function block, such as `TON` and `CTU_DINT`; `None` for other names.
-#[must_use]
 pub fn standard_block(name: &str) -> Option<&'static str> {
     let name = name.to_ascii_uppercase();
     let (family, of_type) = name.rsplit_once('_').unwrap_or((&name, ""));

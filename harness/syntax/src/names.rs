@@ -70,13 +70,11 @@ pub struct UsedName<'t, 's> {
 }
 
 /// Returns the names that a text declares, in the order of the text.
-#[must_use]
 pub fn declared<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<DeclaredName<'t, 's>> {
     names(unit).declared
 }
 
 /// Returns the uses of names in a text, in the order of the text; names of elementary types are among them.
-#[must_use]
 pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
     names(unit).used
 }
@@ -84,7 +82,6 @@ pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
 /// Returns the names that a program declares for all of its text, in capitals: units, types and values of enumerations. `None`
 /// where the program cannot stand in one text with others: it is not whole, has a pragma or a method, or shares variables with a
 /// configuration or, unless `takes_locations`, with the machine.
-#[must_use]
 pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option<HashSet<String>> {
     let (unit, diagnostics) = parse(text, &with_all_syntax(dialect));
     let tokens = tokens(text, dialect);

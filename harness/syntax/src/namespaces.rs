@@ -57,7 +57,6 @@ impl<T> Meaning<T> {
 
 impl<'s> Namespaces<'s> {
     /// Collects the namespaces of a text; `has_libraries` tells whether a name that no namespace qualifies may be that of a library.
-    #[must_use]
     pub fn new(unit: &SourceUnit<'s>, has_libraries: bool) -> Namespaces<'s> {
         let mut namespaces = Namespaces {
             nodes: vec![Namespace::default()],
@@ -148,7 +147,6 @@ impl<'s> Namespaces<'s> {
     }
 
     /// Returns whether the text has no namespaces and no USING in the head of a unit.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.nodes.len() == 1
     }
@@ -159,7 +157,6 @@ impl<'s> Namespaces<'s> {
     }
 
     /// Returns the namespace that contains a position.
-    #[must_use]
     pub fn at(&self, place: Span) -> NamespaceId {
         let before = self.changes.partition_point(|(start, _)| *start <= place.start);
         before.checked_sub(1).map_or(0, |last| self.changes[last].1)
@@ -171,7 +168,6 @@ impl<'s> Namespaces<'s> {
     }
 
     /// Returns the namespace that a name means where it stands.
-    #[must_use]
     pub fn named(&self, name: Name<'_>) -> Option<NamespaceId> {
         if self.is_empty() {
             return None;

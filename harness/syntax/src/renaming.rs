@@ -20,7 +20,6 @@ impl Renaming<'_> {
     ///
     /// A name after a point is that of a field, and one before `:=` or `=>` in a call or a list of fields that of a parameter
     /// or field: neither is a variable, even where a variable has the same name.
-    #[must_use]
     pub fn of(&self, text: &str) -> String {
         let mut edits = Edits::new();
         let is_of = |names: &HashSet<String>, word: &str| names.contains(&word.to_ascii_uppercase());

@@ -16,25 +16,21 @@ pub struct Span {
 
 impl Span {
     /// Creates the span from a byte to the one before `end`.
-    #[must_use]
     pub const fn new(start: u32, end: u32) -> Span {
         Span { start, end }
     }
 
     /// The span from the start of `self` to the end of `other`.
-    #[must_use]
     pub const fn to(self, other: Span) -> Span {
         Span::new(self.start, other.end)
     }
 
     /// The text that the span covers; empty where the span does not fit `text`.
-    #[must_use]
     pub fn text(self, text: &str) -> &str {
         text.get(self.start as usize..self.end as usize).unwrap_or("")
     }
 
     /// The span of no bytes at the end of `self`.
-    #[must_use]
     pub const fn after(self) -> Span {
         Span::new(self.end, self.end)
     }
@@ -73,7 +69,6 @@ pub struct LineIndex {
 
 impl LineIndex {
     /// The index of `text`, which is read once.
-    #[must_use]
     pub fn new(text: &str) -> LineIndex {
         let bytes = text.as_bytes();
         let mut line_starts = Vec::with_capacity(bytes.len() / BYTES_A_LINE + 1);
@@ -92,7 +87,6 @@ impl LineIndex {
 
     /// The position of byte `byte` of `text`, the text that this index was made for. A byte behind the end
     /// stands for the end.
-    #[must_use]
     pub fn position(&self, text: &str, byte: u32) -> Position {
         let byte = byte.min(saturating_u32(text.len()));
         let line = self.line(byte) as usize;
@@ -109,13 +103,11 @@ impl LineIndex {
     }
 
     /// The line of a byte, counted from 1; for who needs no column, which takes longer to find.
-    #[must_use]
     pub fn line(&self, byte: u32) -> u32 {
         saturating_u32(self.line_starts.partition_point(|start| *start <= byte))
     }
 
     /// The number of lines; a text that ends with a line feed has an empty last line.
-    #[must_use]
     pub fn lines(&self) -> u32 {
         saturating_u32(self.line_starts.len())
     }
@@ -150,7 +142,6 @@ fn checkpoints(bytes: &[u8]) -> Vec<u32> {
 }
 
 /// Returns a length of a source text as 32 bits, which hold all that are read.
-#[must_use]
 pub fn saturating_u32(length: usize) -> u32 {
     u32::try_from(length).unwrap_or(u32::MAX)
 }

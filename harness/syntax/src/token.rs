@@ -27,7 +27,6 @@ pub struct Tokens {
 
 impl Tokens {
     /// Returns whether a text, of which these are the tokens, has a pragma.
-    #[must_use]
     pub fn has_pragma(&self, text: &str) -> bool {
         self.comments
             .iter()
@@ -37,7 +36,6 @@ impl Tokens {
 
 /// Splits a text into its tokens, by the comments that a dialect has. Never fails: what begins no token becomes one of the kind
 /// [`TokenKind::Unknown`] or [`TokenKind::Malformed`].
-#[must_use]
 pub fn tokens(text: &str, dialect: &Dialect) -> Tokens {
     let mut lexer = lex(text, dialect);
     lexer.tokens.retain(|token| token.kind != TokenKind::End);
@@ -69,7 +67,6 @@ pub fn words<'s>(text: &'s str, dialect: &Dialect) -> impl Iterator<Item = Name<
 
 impl Token {
     /// Returns whether the token is this word, in any ASCII case.
-    #[must_use]
     pub fn is(&self, word: &str, text: &str) -> bool {
         self.span.text(text).eq_ignore_ascii_case(word)
     }
@@ -150,7 +147,6 @@ keywords!(with_keywords);
 
 impl TokenKind {
     /// Returns the kind of a word: a keyword in any ASCII case, or a name.
-    #[must_use]
     pub fn of_word(word: &str) -> TokenKind {
         crate::keyword::classify(word.as_bytes())
     }

@@ -83,7 +83,6 @@ pub struct Part<'t, 's> {
 
 impl<'s> Part<'_, 's> {
     /// Returns the name that the expression is; `None` of another expression.
-    #[must_use]
     pub fn name(&self) -> Option<&'s str> {
         match &self.expression.kind {
             ExpressionKind::Name(name) => Some(name.text),
@@ -92,13 +91,11 @@ impl<'s> Part<'_, 's> {
     }
 
     /// Returns whether the expression is this name.
-    #[must_use]
     pub fn is(&self, name: &str) -> bool {
         self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
     }
 
     /// Returns whether the expression is a field or an element.
-    #[must_use]
     pub const fn is_part_of_variable(&self) -> bool {
         matches!(
             self.expression.kind,
@@ -128,7 +125,6 @@ pub struct Context<'t, 's> {
 
 impl Context<'_, '_> {
     /// Returns whether a visited declaration is one of the fields of a structure, and not one of the variables of a section.
-    #[must_use]
     pub fn is_field(&self) -> bool {
         self.section.map(|section| section.span) != self.outer
     }
@@ -206,7 +202,6 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
 }
 
 /// Returns the lists of statements inside a statement, in the order of the text.
-#[must_use]
 pub fn bodies(statement: &Statement) -> Vec<&[Statement]> {
     match &statement.kind {
         StatementKind::If { branches, otherwise } => {
@@ -235,7 +230,6 @@ pub fn bodies(statement: &Statement) -> Vec<&[Statement]> {
 }
 
 /// Returns the expressions that an expression directly consists of, with their places, in the order of the text.
-#[must_use]
 pub fn operands(expression: &Expression<'_>) -> Vec<(ExpressionId, Place)> {
     match &expression.kind {
         ExpressionKind::Unary { operand, .. } | ExpressionKind::Parenthesized(operand) => {

@@ -90,7 +90,6 @@ words! {
 impl OpenQuestion {
     /// Returns whether rules of the suite state the behaviour of the reference: the one that IEC 60559 and two's complement
     /// suggest.
-    #[must_use]
     pub const fn is_answered_by_the_design(self) -> bool {
         matches!(
             self,
@@ -103,7 +102,6 @@ impl OpenQuestion {
     }
 
     /// Returns the document in which a person would look for the answer.
-    #[must_use]
     pub const fn sought(self) -> &'static str {
         match self {
             OpenQuestion::Conversion => "the dialect's page on conversion functions",

@@ -177,7 +177,6 @@ words! {
 
 impl BinaryOperator {
     /// Returns whether the operator compares its operands.
-    #[must_use]
     pub const fn is_comparison(self) -> bool {
         use BinaryOperator as B;
         matches!(

@@ -179,7 +179,6 @@ impl Unit {
     }
 
     /// Returns the unit; `None` if the program has no such unit.
-    #[must_use]
     pub fn pou(self, program: &Program) -> Option<&Pou> {
         match self {
             Unit::Types => None,
@@ -190,7 +189,6 @@ impl Unit {
     }
 
     /// Returns the unit for changes; `None` if the program has no such unit.
-    #[must_use]
     pub fn pou_mut(self, program: &mut Program) -> Option<&mut Pou> {
         match self {
             Unit::Types => None,
@@ -201,7 +199,6 @@ impl Unit {
     }
 
     /// Returns the variables of the unit; an empty slice if the program has no such unit.
-    #[must_use]
     pub fn variables(self, program: &Program) -> &[Variable] {
         self.pou(program).map_or(&[], |pou| &pou.variables)
     }

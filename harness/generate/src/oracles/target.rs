@@ -111,7 +111,6 @@ impl OracleFailure {
     }
 
     /// Adds the program that shows the failure.
-    #[must_use]
     pub fn of_program(self, program: impl Into<String>) -> OracleFailure {
         OracleFailure {
             program: Some(program.into()),

@@ -54,7 +54,6 @@ impl Variant {
     ///
     /// The input chooses what is varied. Variables that a variant adds come after those of the program, and every path of
     /// [`Program::observed`] keeps its meaning.
-    #[must_use]
     pub fn text(self, program: &Program, input: &mut Unstructured<'_>) -> Option<String> {
         let mut random = Random::new(input);
         let mut style = Style::default();

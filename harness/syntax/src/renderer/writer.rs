@@ -13,7 +13,6 @@ use crate::tree::{BinaryOperator, Expression, ExpressionId, ExpressionKind, Sour
 ///
 /// Basis: harness/engines/README.md (`render`); ironplc-bit-access: Edition 3 Partial-Access Syntax (the renderer normalizes
 /// both surface forms to `.n`).
-#[must_use]
 pub fn render(unit: &SourceUnit, text: &str) -> String {
     let mut writer = Writer {
         unit,

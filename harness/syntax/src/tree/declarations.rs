@@ -26,7 +26,6 @@ pub enum Declaration<'s> {
 
 impl Declaration<'_> {
     /// Returns the place of a program organization unit, a configuration or a section of global variables; `None` for others.
-    #[must_use]
     pub fn span(&self) -> Option<Span> {
         match self {
             Declaration::Pou(pou) => Some(pou.span),
@@ -60,13 +59,11 @@ pub enum PouKind {
 
 impl PouKind {
     /// Returns whether the POU is a member of another one.
-    #[must_use]
     pub const fn is_member(self) -> bool {
         matches!(self, PouKind::Method | PouKind::Getter | PouKind::Setter)
     }
 
     /// Returns the keyword that closes the POU: END_ and the word that opens it.
-    #[must_use]
     pub const fn closer(self) -> TokenKind {
         match self {
             PouKind::Program => TokenKind::EndProgram,
@@ -152,7 +149,6 @@ pub struct Pou<'s> {
 
 impl Pou<'_> {
     /// Returns whether the POU has anything of object orientation.
-    #[must_use]
     pub fn is_object(&self) -> bool {
         let is_plain = self.members.is_empty() && self.extends.is_empty() && self.implements.is_empty();
         !is_plain
@@ -173,7 +169,6 @@ words! {
 
 impl VariableKind {
     /// Returns whether the variables of the section hold values of their own, and do not stand for others.
-    #[must_use]
     pub const fn is_held(self) -> bool {
         !matches!(self, VariableKind::InOut | VariableKind::External)
     }
@@ -223,7 +218,6 @@ words! {
 
 impl VariableGroup<'_> {
     /// Returns whether the variable has a location that a VAR_CONFIG completes: `%I*`.
-    #[must_use]
     pub fn is_partly_located(&self) -> bool {
         self.location.is_some_and(|location| location.text.ends_with('*'))
     }
@@ -324,7 +318,6 @@ words! {
 
 impl PointerForm {
     /// Returns the key of the feature in `conformance-cases/features.toml`.
-    #[must_use]
     pub const fn feature(self) -> &'static str {
         match self {
             PointerForm::RefTo => "reference",

@@ -15,7 +15,6 @@ pub struct Expression<'s> {
 
 impl Expression<'_> {
     /// Returns the operator and both operands of an infix operator; `None` for any other expression.
-    #[must_use]
     pub const fn binary(&self) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
         match self.kind {
             ExpressionKind::Binary {
@@ -152,7 +151,6 @@ impl BinaryOperator {
     /// The name of the standard function that computes the same, as in `ADD(a, b)`.
     ///
     /// Basis: iec-61131-3: Tables 29, 31 and 33.
-    #[must_use]
     pub const fn function_name(self) -> &'static str {
         match self {
             BinaryOperator::Equal => "EQ",

@@ -26,13 +26,11 @@ impl<'s> Prefixed<'s> {
     }
 
     /// Returns the word before the `#` or point: `COLOR` of `COLOR#RED`.
-    #[must_use]
     pub fn prefix(&self) -> Name<'s> {
         self.piece(0, self.prefix)
     }
 
     /// Returns the word behind the `#` or point: `RED` of `COLOR#RED`.
-    #[must_use]
     pub fn value(&self) -> Name<'s> {
         self.piece(self.prefix + 1, self.written.len() as u32)
     }
@@ -70,7 +68,6 @@ impl<'s> Literal<'s> {
     }
 
     /// Returns the type in front of `#`, where one is written: `INT` of `INT#5`, `T` of `T#1s`.
-    #[must_use]
     pub fn prefix(&self) -> Option<Name<'s>> {
         let end = self.start + u32::from(self.prefix);
         let text = self
@@ -84,7 +81,6 @@ impl<'s> Literal<'s> {
     }
 
     /// Returns the text behind the prefix, with a sign where the prefix allows one inside (`INT#-5`).
-    #[must_use]
     pub fn text(&self) -> &'s str {
         let from = if self.prefix == 0 {
             0

@@ -15,7 +15,6 @@ pub struct Name<'s> {
 }
 
 /// Returns `THIS` or `SUPER` for a name of the instance whose code is running, behind which `^` may stand; `None` for other names.
-#[must_use]
 pub fn own_instance(name: &str) -> Option<&'static str> {
     let word = name.trim_end_matches('^');
     ["THIS", "SUPER"]
@@ -25,7 +24,6 @@ pub fn own_instance(name: &str) -> Option<&'static str> {
 
 impl<'s> Name<'s> {
     /// Returns the name of a type without the namespaces that qualify it: `CALENDAR` of `OSCAT_BASIC.CALENDAR`.
-    #[must_use]
     pub fn unqualified(self) -> Name<'s> {
         let text = self.text.rsplit('.').next().unwrap_or(self.text).trim_start();
         // It is the end of a text that 32 bits measure.
@@ -35,7 +33,6 @@ impl<'s> Name<'s> {
     }
 
     /// Returns whether the identifier is this one, in any ASCII case.
-    #[must_use]
     pub fn is(&self, name: &str) -> bool {
         self.text.eq_ignore_ascii_case(name)
     }

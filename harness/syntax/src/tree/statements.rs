@@ -90,7 +90,6 @@ pub enum StatementKind {
 
 impl StatementKind {
     /// Returns whether the statement has an END_… of its own, so that what follows it does not make it doubtful.
-    #[must_use]
     pub const fn is_block(&self) -> bool {
         use StatementKind::{Case, For, If, Repeat, While};
         matches!(

@@ -17,7 +17,6 @@ pub struct SourceUnit<'s> {
 
 impl<'s> SourceUnit<'s> {
     /// Returns an expression by its id; `None` where it is one of another tree.
-    #[must_use]
     pub fn expression(&self, id: ExpressionId) -> Option<&Expression<'s>> {
         self.expressions.get(id.0 as usize)
     }
