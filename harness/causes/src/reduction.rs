@@ -123,6 +123,8 @@ pub(crate) fn reduce(
         return Err(error);
     }
     let (program, reduction) = match found.ended {
+        // What had no answer in time says nothing.
+        StopReason::NotInteresting if hangs.get() > 0 => (start, Reduced::Partly),
         StopReason::NotInteresting => (start, Reduced::Not),
         StopReason::Smallest => (found.value, Reduced::Smallest),
         StopReason::OutOfTries | StopReason::Stopped => (found.value, Reduced::Partly),
@@ -272,10 +274,12 @@ pub(crate) fn repeated(
         });
     }
     let is_by_chance_so_far = |repeats: &Repeats| is_by_chance(repeats) && repeats.of < REPEATS_OF_CHANCE;
-    while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() {
+    let is_busy = |unanswered: u32| unanswered > REPEATS;
+    while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() && !is_busy(unanswered) {
         for (got, deviation) in asked.again(case, (&sign.symptom, REPEATS as usize), stop)? {
-            // A busy machine is no property of the compiler, unless the next answer takes too long as well.
-            if matches!(got[..], [Fact::TimedOut { .. }]) && unanswered == 0 {
+            // A busy machine is no property of the compiler, unless it is one that gives no answer, and the next takes too long as well.
+            let is_excused = unanswered == 0 || sign.symptom != Symptom::Hang;
+            if matches!(got[..], [Fact::TimedOut { .. }]) && is_excused {
                 unanswered += 1;
                 continue;
             }
@@ -287,7 +291,7 @@ pub(crate) fn repeated(
         }
     }
     let questions = smallest.questions + u64::from(repeats.of + unanswered);
-    if stop() && repeats.seen == repeats.of {
+    if (stop() || is_busy(unanswered)) && repeats.seen == repeats.of {
         let reduction = Reduced::Partly;
         let deviation = found.unwrap_or_else(|| smallest.deviation.clone());
         return Ok(Smallest {

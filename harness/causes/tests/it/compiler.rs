@@ -71,6 +71,8 @@ pub struct DefectiveCompiler {
     /// The interval at which programs with a text are rejected, whatever else they are; 0 stands for none.
     pub rejects_every: usize,
     pub rejects_where: &'static str,
+    /// The number of programs after which it is too busy to answer in time.
+    pub busy_after: usize,
     /// The number of programs that it takes together.
     pub pack_size: usize,
     pub asked: Mutex<Vec<String>>,
@@ -91,6 +93,7 @@ impl DefectiveCompiler {
             defects: defects.clone(),
             rejects_every: 0,
             rejects_where: "",
+            busy_after: usize::MAX,
             pack_size: 1,
             asked: Mutex::default(),
         }
@@ -142,6 +145,7 @@ impl Session for &DefectiveCompiler {
             asked.len() - 1
         };
         match self.rejects_every {
+            _ if number >= self.busy_after => Outcome::TimedOut { after_ms: 1000 },
             every
                 if every > 0
                     && number.is_multiple_of(every)

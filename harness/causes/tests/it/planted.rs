@@ -80,6 +80,16 @@ fn what_comes_by_chance_is_told_as_such() {
     assert!(repeats.outcomes.len() > 1 && runs == repeats.of, "{repeats:?}");
 }
 
+#[test]
+fn what_has_no_answer_in_time_comes_by_no_chance() {
+    let (suite, mut compiler) = three_defects();
+    // The run asks about so many cases.
+    compiler.busy_after = 18;
+    let found = causes(&suite, &compiler, 1, SearchLimits::default());
+    let is_open = |cause: &Cause| cause.flaky.is_none() && cause.reduction != Reduced::Not;
+    assert!(found.iter().all(is_open), "{found:?}");
+}
+
 /// A program of which one statement matters.
 const OF_CHANCE: &str = r#"
 [[defect]]
