@@ -8,7 +8,7 @@ use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
 use crate::line_features::{
-    DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine,
+    DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine, lacked_function,
 };
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::{SIZES, is_beyond_type};
@@ -238,7 +238,7 @@ fn needs(
             (symptom, features, names_construct)
         }
         // Which function is not there, and what it is for, does not matter.
-        Symptom::Rejected(_) | Symptom::Unusable(_) if line.lacks_function(got) => {
+        Symptom::Rejected(_) | Symptom::Unusable(_) if lacked_function(line.program, got).is_some() => {
             (UNKNOWN_FUNCTION.to_owned(), BTreeSet::new(), false)
         }
         // What the engine says of a literal depends on the place where it stands.

@@ -2,14 +2,14 @@
 
 use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
-use crate::essence::{Essence, UNKNOWN_FUNCTION};
+use crate::essence::Essence;
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, has_lost_place, is_of_reading, is_unread};
 use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
-use crate::line_features::STANDARD_PARAMETER;
+use crate::line_features::{STANDARD_PARAMETER, lacked_function};
 use crate::normal_form::{Normal, is_whatever_comes};
-use crate::program::{Part, ReadProgram, read};
+use crate::program::read;
 use crate::promised::{cite, page_of_code, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
 use crate::title::title;
@@ -21,7 +21,6 @@ use stickler_engines::Identity;
 use stickler_run::{Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, Source, SourceKind, Sources, Suite, ToldSymptom};
 use stickler_syntax::tree::Pou;
-use stickler_syntax::visitor::Place;
 use stickler_types::Code;
 
 /// A cause while groups are added to it.
@@ -31,7 +30,7 @@ pub(crate) struct GrowingCause {
     pub(crate) sign: Sign,
     /// The keys of the neighbours of its program with which the engine deviates in the same way.
     pub(crate) neighbours: Vec<CauseKey>,
-    /// The functions of the library that are called, where the engine does not have them.
+    /// The functions of the library that the engine does not have.
     pub(crate) functions: BTreeSet<String>,
     /// The arguments that the ids of all cases have.
     shared: BTreeSet<String>,
@@ -156,10 +155,10 @@ impl GrowingCause {
         let lacks = if is_of_page { &engine.lacks } else { Code::ALL };
         shown.deviation.forget_codes(lacks);
         let shown = &shown;
-        let functions = match essence.symptom == UNKNOWN_FUNCTION {
-            true => read(&shown.program, called_functions),
-            false => BTreeSet::new(),
-        };
+        let functions = read(&shown.program, |program| {
+            let lacked = lacked_function(program, &shown.deviation.got);
+            lacked.map(str::to_ascii_uppercase).into_iter().collect()
+        });
         let cause = Cause {
             engine: group.shown.engine.clone(),
             symptom: essence.symptom.clone(),
@@ -374,13 +373,6 @@ pub(crate) fn merged_with_neighbours(causes: Vec<GrowingCause>) -> Vec<GrowingCa
         }
     }
     found
-}
-
-/// Returns the functions that a program calls and does not declare, in capitals.
-pub(crate) fn called_functions(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
-    let names = program.at(Place::Callee).filter_map(Part::name);
-    let of_library = names.filter(|name| !program.declares(name));
-    of_library.map(str::to_ascii_uppercase).collect()
 }
 
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.

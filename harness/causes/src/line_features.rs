@@ -82,9 +82,30 @@ const UNKNOWN: [&str; 8] = [
 /// A set of words.
 type Words = BTreeSet<String>;
 
+/// Returns the function of the library that a program calls and an engine says that it does not know; `None` where it says something else.
+pub(crate) fn lacked_function<'s>(program: &ReadProgram<'_, 's>, got: &[Fact]) -> Option<&'s str> {
+    let said = got.iter().find_map(|fact| match fact {
+        Fact::Unusable { reason } => Some(reason),
+        _ => Some(&fact.diagnostic()?.message),
+    })?;
+    let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
+    let is_unknown = codes.any(|code| code == Code::FunctionCallUndeclared)
+        || UNKNOWN
+            .iter()
+            .any(|words| said.to_ascii_lowercase().contains(words));
+    // What stands in quotes is no text here.
+    let is_said = |name: &&str| {
+        let mut words = said.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
+        words.any(|word| word.eq_ignore_ascii_case(name))
+    };
+    let callees = program.at(Place::Callee).map(|part| program.text(part.id));
+    let mut of_library = callees.filter(|name| is_unknown && !program.declares(name));
+    of_library.find(is_said)
+}
+
 /// A small program with the line that matters: the one that shows its defect.
 pub(crate) struct ProgramAndLine<'t, 's> {
-    program: &'t ReadProgram<'t, 's>,
+    pub(crate) program: &'t ReadProgram<'t, 's>,
     works: Vec<Work>,
     /// The number of the line at which the expected or the actual diagnostic stands.
     line: Option<u32>,
@@ -432,28 +453,6 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn calls_standard(&self) -> bool {
         let is_standard = |name: &str| !self.program.declares(name) && converted(name).is_none();
         self.callees().any(is_standard)
-    }
-
-    /// Returns whether an engine says that it does not know a function of the library that the line calls.
-    pub(crate) fn lacks_function(&self, got: &[Fact]) -> bool {
-        let said = got.iter().find_map(|fact| match fact {
-            Fact::Unusable { reason } => Some(reason),
-            _ => Some(&fact.diagnostic()?.message),
-        });
-        let is_unknown = |said: &str| {
-            let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
-            codes.any(|code| code == Code::FunctionCallUndeclared)
-                || UNKNOWN
-                    .iter()
-                    .any(|words| said.to_ascii_lowercase().contains(words))
-        };
-        let mut callees = self.callees().filter(|name| !self.program.declares(name));
-        // What stands in quotes is no text here.
-        let names = |said: &str, name: &str| {
-            let mut words = said.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
-            words.any(|word| word.eq_ignore_ascii_case(name))
-        };
-        said.is_some_and(|said| is_unknown(said) && callees.any(|name| names(said, name)))
     }
 
     /// Returns the standard functions, and the operators among them, that the line calls.

@@ -4,19 +4,22 @@
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
 use crate::forms::{named_types, with_types};
-use crate::growing_cause::{GrowingCause, called_functions};
+use crate::growing_cause::GrowingCause;
 use crate::key::CauseKey;
+use crate::line_features::lacked_function;
 use crate::malformed::number_of_literal;
 use crate::program::{Program, ReadProgram, read};
 use crate::question::Questioner;
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::words::{elementary, has_word};
+use crate::words::{elementary, has_word, tokens};
+use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_run::{Neighbour, RunError, Symptom};
 use stickler_suite::Case;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
+use stickler_syntax::token::Token;
 use stickler_types::ElementaryType;
 use stickler_workers::WorkerPool;
 
@@ -34,6 +37,12 @@ const OTHERS: [ElementaryType; 6] = {
 
 /// The words for the type that no program declares.
 const UNDECLARED: &str = "a type that is not declared";
+
+/// The words for the name that stands in the place of another.
+const OTHER_NAME: &str = "another name";
+
+/// The maximum number of names in whose place others are tried.
+const MAX_NAMES: usize = 6;
 
 /// The numbers of bits at whose limits a compiler may do otherwise.
 const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
@@ -54,6 +63,9 @@ impl Asking<'_> {
             if let Some(first) = first_wrong(&neighbours) {
                 member.cause.title += &format!(", from {first} on");
             }
+            if let Some(named) = neighbours.iter().find(|one| one.by == OTHER_NAME) {
+                member.cause.title += &format!(", by the name {}", named.replaced);
+            }
             let own = format!("`{}`", member.cause.shown.dialect);
             let others = || neighbours.iter().filter(|one| one.replaced == own);
             if others().next().is_some() && others().all(|one| !one.is_same) {
@@ -61,9 +73,12 @@ impl Asking<'_> {
                 member.cause.title += &format!(", but not in {}", names.join(" or "));
             }
             member.cause.shown.neighbours = neighbours;
-            let own = read(&member.cause.shown.program, called_functions);
-            let others = member.functions.difference(&own).take(MAX_FUNCTIONS);
-            let others = others.zip(own.iter().cycle());
+            let shown = &member.cause.shown;
+            let own = read(&shown.program, |program| {
+                lacked_function(program, &shown.got).map(str::to_ascii_uppercase)
+            });
+            let others = member.functions.iter().filter(|by| Some(*by) != own.as_ref());
+            let others = others.take(MAX_FUNCTIONS).zip(own.iter().cycle());
             let others = others.map(|(by, replaced)| neighbour(replaced, by));
             member.cause.shown.neighbours.extend(others);
             member.neighbours = keys;
@@ -138,6 +153,11 @@ impl Asking<'_> {
             (format!("`{text}`"), plainer.collect())
         });
         let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
+        // What a compiler of C finds wrong may be a name of its own.
+        let is_written = matches!(symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
+        let names = read(&shown.program, |program| with_other_names(program)).into_iter();
+        let names = names.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
+        let names: Vec<(Neighbour, Case)> = names.filter(|_| is_written).collect();
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
         let place = compiler_place(&shown.got);
         let mut keys = Vec::new();
@@ -171,6 +191,11 @@ impl Asking<'_> {
             let tells = tells && neighbour.by != UNDECLARED;
             if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {
                 found.push(Neighbour { is_same, ..neighbour });
+            }
+        }
+        for (neighbour, case) in names {
+            if is_same(&case)? == Some(false) {
+                found.push(neighbour);
             }
         }
         for (replaced, plainer) in numbers {
@@ -288,6 +313,27 @@ fn with_other_types(
         }));
     }
     found
+}
+
+/// Returns a program with another name in the place of each that it declares, which it is not the same with.
+fn with_other_names(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
+    let names: BTreeSet<&str> = program.names.iter().map(|one| one.name.text).collect();
+    let renamed = names.into_iter().take(MAX_NAMES).map(|name| {
+        let mut edits = Edits::new();
+        let is_it = |token: &&Token| token.span.text(program.text).eq_ignore_ascii_case(name);
+        let written = tokens(program.text);
+        written
+            .iter()
+            .filter(is_it)
+            .for_each(|token| edits.replace(token.span, "renamed"));
+        let neighbour = Neighbour {
+            is_same: false,
+            by: OTHER_NAME.to_owned(),
+            ..neighbour(name, "")
+        };
+        (neighbour, edits.apply(program.text))
+    });
+    renamed.collect()
 }
 
 /// Returns the numbers of a program, each with plainer ones that may stand in its place, the plainest first: other digits of a location, an

@@ -120,6 +120,9 @@ pub(crate) fn normal_form(
     }
     search.whatever_comes()?;
     if search.normal.way.is_some() {
+        if matches!(symptom, Symptom::Unusable(_)) {
+            search.variables_for_literals()?;
+        }
         search.normal.questions = tries - search.left;
         return Ok(search.normal);
     }

@@ -5,6 +5,7 @@ use crate::program::ReadProgram;
 use crate::words::{elementary, has_word, tokens, words};
 use stickler_run::Fact;
 use stickler_syntax::token::{Token, TokenKind};
+use stickler_syntax::tree::{Pou, PouKind};
 
 /// Returns the line of a small program that an engine does not implement, by what it says: a statement with a variable that the
 /// message quotes, best with a part of it, or else the first of the statements with most to them, since calls of a body stand behind it.
@@ -43,9 +44,11 @@ pub(crate) fn unimplemented(program: &ReadProgram<'_, '_>, got: &[Fact]) -> u32 
 /// Returns the last of the lines with most to them, since a plain assignment may be there only because a program needs a statement;
 /// before a plain assignment a declaration in a section that not every program has.
 pub(crate) fn culprit(program: &ReadProgram<'_, '_>) -> u32 {
-    // A call without arguments only leads to the statements of its unit.
+    // A call without arguments only leads to the statements of its unit, where a unit has some.
+    let is_called = |pou: &Pou<'_>| pou.kind != PouKind::Program && !pou.body.is_empty();
+    let has_statements = program.unit.pous().any(is_called);
     let leads = |line: &str| match words(line)[..] {
-        [name, "(", ")", ";"] => program.is_instance(name),
+        [name, "(", ")", ";"] => program.is_instance(name) && has_statements,
         [_, ":=", name, "(", ")", ";"] => program.unit_of(name).is_some(),
         _ => false,
     };

@@ -162,7 +162,7 @@ impl NormalSearch<'_, '_> {
                 true => "text literal as an operand",
                 false => "truth literal as an operand",
             };
-            self.normal.way = seen.is_none().then_some(way);
+            self.normal.way = seen.is_none().then_some(way).or(self.normal.way);
             // A literal may be at fault beside what it is an operand of.
             if let Some((deviation, case)) = seen
                 .filter(|seen| is_same(&self.normal.deviation, seen))

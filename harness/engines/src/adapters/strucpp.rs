@@ -143,7 +143,7 @@ impl Adapter for Strucpp {
         // What the compiler wrote into files for a person.
         let recipe = execution(request.source, &driver.text())
             .file("program.cpp", &*translated.program)
-            .file("generated.hpp", &*translated.header);
+            .file("program.hpp", &*translated.header);
         workplace.begin(&recipe)?;
         self.builder.build(&recipe, workplace)?;
         let outcome = driver.execute(&recipe, workplace)?;

@@ -107,7 +107,7 @@ mod tests {
     fn what_is_included_already_is_left_out() {
         let text = in_a_namespace(
             "#pragma once\n#include <array>\n#undef OVERFLOW\nnamespace strucpp {}\n",
-            "#include \"generated.hpp\"\nint x;\n",
+            "#include \"program.hpp\"\nint x;\n",
         );
         assert_eq!(text, "#undef OVERFLOW\nnamespace strucpp {}\nint x;\n");
     }

@@ -23,7 +23,7 @@ function place(source, { message, line, column }) {
 
 function translated(source) {
     try {
-        const { success, errors, warnings, cppCode, headerCode } = compile(source, { libraries });
+        const { success, errors, warnings, cppCode, headerCode } = compile(source, { libraries, headerFileName: "program.hpp" });
         const diagnostics = [...(errors ?? []), ...(warnings ?? [])].map((told) => ({
             message: String(told.message),
             ...place(source, told),
