@@ -1,8 +1,8 @@
 //! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
+use super::choices;
 use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureResults};
 use super::values::{CallOperands, MAX_VALUE_LEN};
-use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::session::RefusalKind;
 use crate::table::{Alignment, Cell, Table};
@@ -121,12 +121,7 @@ impl OverviewPage<'_> {
     ) -> io::Result<()> {
         let signature = &results.signature;
         let engines: Vec<String> = self.engines.iter().map(|identity| title(identity)).collect();
-        let name = format!(
-            "{}({}) : {}",
-            signature.function,
-            inputs::types(signature),
-            signature.result
-        );
+        let name = signature.to_string();
         let on = format!("on {}", engines.join(", "));
         match name.len() + on.len() + 2 > WIDTH {
             true => writeln!(out, "{BOLD}{name}{BOLD:#}\n{}\n", wrap_within(&on, WIDTH))?,
