@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value};
-use stickler_types::{PrintedResult, distinct, shortened, sorted, wrap, wrap_within};
+use stickler_types::{PrintedResult, distinct, grouped_by, shortened, sorted, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -128,7 +128,11 @@ impl OverviewPage<'_> {
             false => writeln!(out, "{BOLD}{name}{BOLD:#}  {on}\n")?,
         }
         let mut columns = operands(&results.calls, &signature.operands);
-        for group in groups(&results.columns) {
+        // Columns of the same engine whose results are all equal are one.
+        let same = |one: &&DialectResults, other: &&DialectResults| {
+            one.engine == other.engine && one.results == other.results
+        };
+        for group in grouped_by(&results.columns, same) {
             columns.push(self.column(&group, signature.result, notes));
         }
         table(&columns, signature.operands.len()).write(out, Some(WIDTH))?;
@@ -333,23 +337,6 @@ fn title(identity: &Identity) -> String {
     format!("{} {}", identity.name, identity.version)
         .trim_end()
         .to_owned()
-}
-
-/// Groups the columns of the same engine whose results are all equal.
-fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
-    let mut groups: Vec<Vec<&DialectResults>> = Vec::new();
-    for column in columns {
-        let same = |group: &&mut Vec<&DialectResults>| {
-            group
-                .first()
-                .is_some_and(|first| first.engine == column.engine && first.results == column.results)
-        };
-        match groups.iter_mut().find(same) {
-            Some(group) => group.push(column),
-            None => groups.push(vec![column]),
-        }
-    }
-    groups
 }
 
 /// Returns the table columns of the operands.
