@@ -21,7 +21,7 @@ use stickler_types::{DialectName, ElementaryType, RecordingOrigin, TypePair, Val
 
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
-pub use questions::{all_questions, extreme, program_of};
+pub use questions::{all_questions, extreme, pairs, program_of};
 pub use tables::{RecordedTable, RecordedTables};
 
 /// The answers of one version of a compiler.
