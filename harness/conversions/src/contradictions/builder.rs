@@ -26,12 +26,11 @@ pub struct AskedQuestion {
 impl AskedQuestion {
     /// Returns a question whose text says all, and which no case asks.
     pub const fn new(text: String, kind: String) -> AskedQuestion {
-        let (case, program) = (None, None);
         AskedQuestion {
             text,
             kind,
-            case,
-            program,
+            case: None,
+            program: None,
         }
     }
 }
