@@ -208,11 +208,8 @@ fn distinct(
 ) -> anyhow::Result<Box<dyn Engine>> {
     if let Some(line) = name.strip_prefix(COMMAND) {
         let engine = ProcessEngine::start(line, ProcessLimits::default())?;
-        let own = engine.identity().name.clone();
-        return Ok(match free(&own, taken) {
-            free if free == own => Box::new(engine),
-            free => Box::new(engine.named(free)),
-        });
+        let name = free(&engine.identity().name, taken);
+        return Ok(Box::new(engine.named(name)));
     }
     let sought = seek(name, &free(name, taken), configuration).ok_or_else(|| no_such(name, configuration))?;
     Ok(sought.engine?)

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit::MatrixAnswer;
-use stickler_conversions::recording::Recording;
+use stickler_conversions::recording::{Recording, pairs};
 use stickler_conversions::table::{Alignment, Cell, Table};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, TypePair, wrap_within};
 
@@ -76,7 +76,7 @@ impl DialectMatrix {
     pub fn add_recorded(&mut self, recordings: &[&Recording]) {
         for recording in recordings {
             let answer = |pair| Some((pair, recording.implicit(self.dialect, pair)?));
-            let answers = pairs(&self.types).filter_map(answer).collect();
+            let answers = pairs(&self.types).into_iter().filter_map(answer).collect();
             let engine = recording.identity().name;
             self.engines.push(EngineAnswers {
                 engine,
@@ -193,12 +193,6 @@ impl DialectMatrix {
         }
         Cell::new(pieces, Alignment::Right)
     }
-}
-
-/// Returns each type with each type, row by row.
-pub fn pairs(types: &[ElementaryType]) -> impl Iterator<Item = TypePair> {
-    let of_row = move |row| types.iter().map(move |column| (row, *column));
-    types.iter().copied().flat_map(of_row)
 }
 
 fn sign(answer: MatrixAnswer) -> char {

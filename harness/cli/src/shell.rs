@@ -16,14 +16,7 @@ pub fn program() -> &'static str {
 
 /// Returns the command line of this process, quoted for a shell.
 pub fn command_line() -> String {
-    let arguments: Vec<String> = env::args_os()
-        .skip(1)
-        .map(|a| a.to_string_lossy().into_owned())
-        .collect();
-    let mut line = String::from("stickler");
-    for argument in &arguments {
-        line.push(' ');
-        line.push_str(&quote(argument));
-    }
-    line
+    let arguments = env::args_os().skip(1);
+    let quoted = arguments.map(|argument| format!(" {}", quote(&argument.to_string_lossy())));
+    format!("stickler{}", quoted.collect::<String>())
 }

@@ -21,7 +21,7 @@ use stickler_types::{DialectName, ElementaryType, RecordingOrigin, TypePair, Val
 
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
-pub use questions::{all_questions, extreme, program_of};
+pub use questions::{all_questions, extreme, pairs, program_of};
 pub use tables::{RecordedTable, RecordedTables};
 
 /// The answers of one version of a compiler.
@@ -88,7 +88,7 @@ impl FunctionAnswers {
             FunctionAnswers::Refused(kind) => {
                 let signatures = questions::signatures(*dialect).into_iter();
                 signatures
-                    .filter(|signature| key(signature) == *row)
+                    .filter(|signature| signature.to_string() == *row)
                     .flat_map(|signature| crate::overview::boundary_calls(&signature))
                     .map(|call| (call, Err(kind)))
                     .collect()
@@ -194,7 +194,7 @@ impl Recording {
         signature: &Signature,
         calls: &[Vec<Value>],
     ) -> Vec<Result<Value, Refusal>> {
-        let answers = self.functions.get(&(dialect, key(signature)));
+        let answers = self.functions.get(&(dialect, signature.to_string()));
         let answer = |call: &Vec<Value>| match answers {
             Some(FunctionAnswers::Refused(kind)) => Err(*kind),
             Some(FunctionAnswers::Calls(known)) => known
@@ -219,17 +219,6 @@ fn comparison_word(answer: ComparisonAnswer) -> &'static str {
         Ok(false) => "false",
         Err(kind) => kind.word(),
     }
-}
-
-/// Returns the key of a signature in a file: `REAL_TO_INT(REAL) : INT`.
-fn key(signature: &Signature) -> String {
-    let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
-    format!(
-        "{}({}) : {}",
-        signature.function,
-        operands.join(", "),
-        signature.result
-    )
 }
 
 #[cfg(test)]

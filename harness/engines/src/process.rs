@@ -117,7 +117,6 @@ impl ProcessEngine {
     }
 
     /// Returns the engine under another name, for a run in which two engines would otherwise have the same name.
-    #[must_use]
     pub fn named(mut self, name: String) -> ProcessEngine {
         self.identity.name = name;
         self
@@ -125,7 +124,6 @@ impl ProcessEngine {
 
     /// Returns the engine with the [command](Reproduction::by_command) by which a person runs a program on its compiler, and the folder of the
     /// file that states it.
-    #[must_use]
     pub fn reproduced_by(mut self, command: &str, folder: &Path) -> ProcessEngine {
         self.reproduced_by = Some((command.to_owned(), folder.to_owned()));
         self

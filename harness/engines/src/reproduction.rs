@@ -77,7 +77,6 @@ pub(crate) const HERE: &str = "HERE";
 
 impl Reproduction {
     /// Returns the reproduction with each command ended after a number of seconds, for a program that gives no answer.
-    #[must_use]
     pub fn within(mut self, seconds: u64) -> Reproduction {
         for command in &mut self.commands {
             *command = format!("timeout {seconds} {command}");

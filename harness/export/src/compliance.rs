@@ -290,7 +290,6 @@ fn conversion(
     let signature = &function.signature;
     let calls = &function.calls[..function.boundaries];
     let expected = function.expected(0, dialect);
-    let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
     let rules = rules(signature, &[dialect]).into_iter();
     let effects: Vec<String> = rules.map(|(about, rule, _)| format!("{about}: {rule}")).collect();
     let (mut measured, mut example) = ("not asked".to_owned(), String::new());
@@ -313,17 +312,12 @@ fn conversion(
             );
         }
     }
-    let name = format!(
-        "{}({}) : {}",
-        signature.function,
-        operands.join(", "),
-        signature.result
-    );
     let stated = expected[..calls.len()]
         .iter()
         .filter(|expected| expected.basis.is_some())
         .count();
     let stated = format!("{stated} of {}", calls.len());
+    let name = signature.to_string();
     vec![name, effects.join("; "), stated, measured, example]
 }
 

@@ -360,11 +360,7 @@ struct PageResults {
 
 /// Returns the outcome of a case that is only compiled, by its first message, whose line number is of the page and not of the case.
 fn compiled_outcome(message: Option<String>) -> PageResult {
-    let outcome = match message {
-        None => Outcome::ACCEPTED,
-        Some(message) => rejected(message),
-    };
-    PageResult::Outcome(outcome, Vec::new())
+    PageResult::Outcome(message.map_or(Outcome::ACCEPTED, rejected), Vec::new())
 }
 
 fn rejected(message: String) -> Outcome {

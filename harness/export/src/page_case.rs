@@ -145,37 +145,27 @@ impl<'c> PageCase<'c> {
 /// The [`Reason`] where the case needs something that no page supports.
 fn refuse(case: &Case) -> Result<(), Reason> {
     let expectation = &*case.expectation;
-    if expectation.rendered.is_some() {
-        return Err(Reason::Rendered);
-    }
-    if expectation.fault.is_some() {
-        return Err(Reason::Fault);
-    }
-    if !expectation.warnings.is_empty() {
-        return Err(Reason::Warned);
-    }
-    let later = case
-        .observe
-        .iter()
-        .any(|observe| observe.after.is_some_and(|scan| scan != 1));
-    if case.scans != 1 || later || !case.clock.is_empty() || !case.set.is_empty() {
-        return Err(Reason::Scans);
-    }
-    if expectation
-        .values
-        .iter()
-        .any(|expected| is_negative_zero(&expected.value))
-    {
-        return Err(Reason::NegativeZero);
-    }
-    if expectation
-        .diagnostics
-        .iter()
-        .any(|reported| breaks_reading(reported.code))
-    {
-        return Err(Reason::Unreadable);
-    }
-    Ok(())
+    let mut observed = case.observe.iter();
+    let later = observed.any(|observe| observe.after.is_some_and(|scan| scan != 1));
+    let has_time = case.scans != 1 || later || !case.clock.is_empty() || !case.set.is_empty();
+    let mut values = expectation.values.iter();
+    let mut diagnostics = expectation.diagnostics.iter();
+    let reasons = [
+        (expectation.rendered.is_some(), Reason::Rendered),
+        (expectation.fault.is_some(), Reason::Fault),
+        (!expectation.warnings.is_empty(), Reason::Warned),
+        (has_time, Reason::Scans),
+        (
+            values.any(|one| is_negative_zero(&one.value)),
+            Reason::NegativeZero,
+        ),
+        (
+            diagnostics.any(|one| breaks_reading(one.code)),
+            Reason::Unreadable,
+        ),
+    ];
+    let first = reasons.into_iter().find(|(applies, _)| *applies);
+    first.map_or(Ok(()), |(_, reason)| Err(reason))
 }
 
 fn observed(case: &Case) -> Result<Vec<(usize, Option<ElementaryType>)>, Reason> {

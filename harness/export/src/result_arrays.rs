@@ -68,17 +68,9 @@ impl ResultArrays {
         let Some(elements) = self.pages.get(&at) else {
             return PageResult::Missing;
         };
-        let mut reading = Reading {
-            values: Vec::new(),
-            untold: Vec::new(),
-            contradiction: None,
-        };
-        for (place, step) in page
-            .steps
-            .iter()
-            .enumerate()
-            .filter(|(_, step)| step.case == number)
-        {
+        let mut reading = Reading::default();
+        let steps = page.steps.iter().enumerate();
+        for (place, step) in steps.filter(|(_, step)| step.case == number) {
             if let Err(reported) = reading.take(elements, page, (place, step), case) {
                 return reported;
             }
@@ -167,6 +159,7 @@ fn page_of(array: &Array, manifest: &Manifest) -> Result<usize, String> {
 }
 
 /// The values of a case that were read so far, one observation after the other.
+#[derive(Default)]
 struct Reading {
     values: Vec<NamedValue>,
     untold: Vec<String>,

@@ -99,15 +99,22 @@ fn run(arguments: &MutantsArguments) -> Result<u8, RunFailure> {
     Ok(u8::from(focused > 0))
 }
 
-/// Writes all cases down for the judge, and returns the file.
-fn prepared(arguments: &MutantsArguments) -> anyhow::Result<PathBuf> {
-    let mut suite = stickler_suite::Suite::load(&arguments.cases);
+/// Loads the cases of a folder in which nothing is wrong.
+fn loaded(cases: &Path) -> anyhow::Result<stickler_suite::Suite> {
+    let suite = stickler_suite::Suite::load(cases);
     if let Some(error) = suite.errors.first() {
         anyhow::bail!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
     }
+    Ok(suite)
+}
+
+/// Writes all cases down for the judge, and returns the file.
+fn prepared(arguments: &MutantsArguments) -> anyhow::Result<PathBuf> {
+    let mut suite = loaded(&arguments.cases)?;
     // The judge knows the dialects of documented systems only.
     suite.cases.retain(|case| case.dialect.definition().is_none());
-    let output = absolute(&arguments.output)?;
+    let output = &arguments.output;
+    let output = std::path::absolute(output).with_context(|| format!("cannot find {}", output.display()))?;
     std::fs::create_dir_all(&output).with_context(|| format!("cannot create {}", output.display()))?;
     let path = output.join("prepared.cases");
     let text = stickler_mutants_judge::prepared::write(&prepare::prepare(&suite.cases))?;
@@ -116,8 +123,4 @@ fn prepared(arguments: &MutantsArguments) -> anyhow::Result<PathBuf> {
     let _ = std::fs::remove_file(path.with_extension("killers"));
     println!("{} cases judge each mutant", suite.cases.len());
     Ok(path)
-}
-
-fn absolute(path: &Path) -> anyhow::Result<PathBuf> {
-    std::path::absolute(path).with_context(|| format!("cannot find {}", path.display()))
 }

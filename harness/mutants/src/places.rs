@@ -20,12 +20,11 @@ mod table;
 mod tests;
 mod wrong_code;
 
-use crate::{RunFailure, ends_with};
+use crate::{RunFailure, ends_with, loaded};
 use clap::Args;
 use explained::{ExplainedSaboteurs, Explanation};
 use saboteur::Saboteur;
 use std::path::PathBuf;
-use stickler_suite::Suite;
 use stickler_types::DialectName;
 use table::Judged;
 
@@ -57,12 +56,7 @@ pub struct PlacesArguments {
 
 /// Runs the cases against the saboteurs, and prints what came of it.
 pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
-    let mut suite = Suite::load(&arguments.cases);
-    if let Some(error) = suite.errors.first() {
-        let error =
-            anyhow::anyhow!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
-        return Err(ends_with(2)(error));
-    }
+    let mut suite = loaded(&arguments.cases).map_err(ends_with(2))?;
     let mut dialects = DialectName::ALL.to_vec();
     if !arguments.dialect.is_empty() {
         dialects.clone_from(&arguments.dialect);

@@ -72,12 +72,7 @@ fn order(cases: &[Case]) -> Vec<usize> {
     for indices in probes.into_values() {
         let mut spread: Vec<(usize, usize)> = indices.into_iter().enumerate().collect();
         spread.sort_by_key(|(place, _)| place.reverse_bits());
-        waves.extend(
-            spread
-                .into_iter()
-                .enumerate()
-                .map(|(wave, (_, index))| (wave, index)),
-        );
+        waves.extend((0..).zip(spread.into_iter().map(|(_, index)| index)));
     }
     waves.sort_unstable();
     waves.into_iter().map(|(_, index)| index).collect()

@@ -117,13 +117,11 @@ impl ConversionChoices {
     }
 
     /// Returns a copy with another rounding.
-    #[must_use]
     pub const fn with_rounding(self, rounding: Rounding) -> ConversionChoices {
         ConversionChoices { rounding, ..self }
     }
 
     /// Returns a copy with the rounding and the range of TRUNC.
-    #[must_use]
     pub const fn of_truncation(self) -> ConversionChoices {
         ConversionChoices {
             rounding: Rounding::Truncate,

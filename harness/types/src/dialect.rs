@@ -144,7 +144,6 @@ impl Dialect {
     }
 
     /// Returns the dialect with a statement about a pair of types.
-    #[must_use]
     pub fn stating_cell(mut self, pair: Pair, value: MatrixWord, basis: &str) -> Dialect {
         let basis = Some(basis.to_owned());
         self.cells.insert(pair, Stated { value, basis });

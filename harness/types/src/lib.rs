@@ -62,7 +62,7 @@ pub use declared_features::DeclaredFeatures;
 pub use diagnostic::{Diagnostic, Severity};
 pub use dialect::{Dialect, DialectKind, Stated};
 pub use dialect_name::{DialectName, TakenName, UnknownDialect};
-pub use distinct::{distinct, grouped_by_key, sorted};
+pub use distinct::{distinct, grouped_by, grouped_by_key, sorted};
 pub use documents::Documents;
 pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};

@@ -146,7 +146,6 @@ impl Outcome {
     }
 
     /// Returns the same outcome with these warnings of the compiler, where it is one that has warnings.
-    #[must_use]
     pub fn with_warnings(mut self, of_compiler: Vec<Diagnostic>) -> Outcome {
         if let Outcome::Accepted { warnings }
         | Outcome::Executed { warnings, .. }

@@ -29,7 +29,6 @@ impl SplitMix64 {
     }
 
     /// Returns a separate sequence for each place.
-    #[must_use]
     pub const fn split(self, place: u64) -> SplitMix64 {
         SplitMix64::separate(self.at(place))
     }

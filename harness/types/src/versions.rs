@@ -27,7 +27,6 @@ impl Versions {
     }
 
     /// Ends the claim with a version, unless it ends earlier.
-    #[must_use]
     pub fn ending_with(self, until: &str) -> Versions {
         let is_earlier = |known: &String| version_numbers(known) <= version_numbers(until);
         let until = self.until.filter(is_earlier).unwrap_or_else(|| until.to_owned());

@@ -4,13 +4,13 @@ use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
-use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers, pairs};
+use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
 use crate::progress::Progress;
 use crate::{documented, engines, interrupt, run_plan, shell};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit;
-use stickler_conversions::recording::Recording;
+use stickler_conversions::recording::{Recording, pairs};
 use stickler_export::{Questions, answer_word};
 use stickler_suite::Case;
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, TypePair};
@@ -139,7 +139,7 @@ fn gather(
         .into_iter()
         .filter(|ty| !FURTHER.contains(ty) || named(ty))
         .collect();
-    let pairs: Vec<TypePair> = pairs(&types).collect();
+    let pairs = pairs(&types);
     let bar = Progress::new((pairs.len() * engines.len()) as u64);
     let mut columns = Vec::with_capacity(engines.len());
     for named in engines {

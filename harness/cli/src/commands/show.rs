@@ -9,7 +9,7 @@ use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
 use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts, versions};
 use stickler_suite::{Case, Suite};
-use stickler_types::{Contradiction, Versions, wrap};
+use stickler_types::{Contradiction, Versions, grouped_by, wrap};
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///
@@ -17,7 +17,8 @@ use stickler_types::{Contradiction, Versions, wrap};
 /// No folder of cases; no such case, where the error names similar ones.
 pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let named = NamedCase::load(&arguments.case, arguments.cases.as_deref())?;
-    for (number, group) in groups(&named.cases()).iter().enumerate() {
+    let groups = grouped_by(named.cases(), |one, other| same(one, other));
+    for (number, group) in groups.iter().enumerate() {
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
@@ -27,21 +28,7 @@ pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result
     Ok(case_folder::exit_of(&named.suite))
 }
 
-/// Groups the cases that differ in the dialect only.
-fn groups<'a>(cases: &[&'a Case]) -> Vec<Vec<&'a Case>> {
-    let mut groups: Vec<Vec<&Case>> = Vec::new();
-    for case in cases {
-        match groups
-            .iter_mut()
-            .find(|group| group.first().is_some_and(|first| same(first, case)))
-        {
-            Some(group) => group.push(case),
-            None => groups.push(vec![case]),
-        }
-    }
-    groups
-}
-
+/// Returns whether two cases differ in the dialect only.
 fn same(one: &Case, other: &Case) -> bool {
     *one == Case {
         dialect: one.dialect,

@@ -5,7 +5,7 @@ use super::{AnswerOrigin, Contradictions, Topic};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
-use stickler_types::{DialectName, Question};
+use stickler_types::{DialectName, Question, grouped_by};
 
 /// The maximum number of other questions that a topic names.
 const MAX_OTHERS: usize = 5;
@@ -26,12 +26,11 @@ pub struct AskedQuestion {
 impl AskedQuestion {
     /// Returns a question whose text says all, and which no case asks.
     pub const fn new(text: String, kind: String) -> AskedQuestion {
-        let (case, program) = (None, None);
         AskedQuestion {
             text,
             kind,
-            case,
-            program,
+            case: None,
+            program: None,
         }
     }
 }
@@ -77,17 +76,9 @@ impl ContradictionsBuilder {
         let questions = questions.map(|(asked, answers)| (asked, &answers[..], sides_of(answers)));
         let mut questions: Vec<Answered<'_>> = questions.collect();
         questions.sort_by_cached_key(|(asked, _, sides)| (Reverse(size(sides)), asked.text.len(), *asked));
-        let mut topics: Vec<Vec<&Answered<'_>>> = Vec::new();
-        for question in &questions {
-            let (asked, _, sides) = question;
-            let is_alike = |topic: &&mut Vec<&Answered<'_>>| {
-                topic[0].0.kind == asked.kind && part_alike(&topic[0].2, sides)
-            };
-            match topics.iter_mut().find(is_alike) {
-                Some(topic) => topic.push(question),
-                None => topics.push(vec![question]),
-            }
-        }
+        let mut topics = grouped_by(&questions, |(first, _, sides), (asked, _, others)| {
+            first.kind == asked.kind && part_alike(sides, others)
+        });
         topics.sort_by_key(|topic| (Reverse(size(&topic[0].2)), Reverse(topic.len())));
         Contradictions {
             number: topics.len(),

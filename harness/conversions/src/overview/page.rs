@@ -1,8 +1,8 @@
 //! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
+use super::choices;
 use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureResults};
 use super::values::{CallOperands, MAX_VALUE_LEN};
-use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::session::RefusalKind;
 use crate::table::{Alignment, Cell, Table};
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value};
-use stickler_types::{PrintedResult, distinct, shortened, sorted, wrap, wrap_within};
+use stickler_types::{PrintedResult, distinct, grouped_by, shortened, sorted, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
 pub(super) const WIDTH: usize = 100;
@@ -121,19 +121,18 @@ impl OverviewPage<'_> {
     ) -> io::Result<()> {
         let signature = &results.signature;
         let engines: Vec<String> = self.engines.iter().map(|identity| title(identity)).collect();
-        let name = format!(
-            "{}({}) : {}",
-            signature.function,
-            inputs::types(signature),
-            signature.result
-        );
+        let name = signature.to_string();
         let on = format!("on {}", engines.join(", "));
         match name.len() + on.len() + 2 > WIDTH {
             true => writeln!(out, "{BOLD}{name}{BOLD:#}\n{}\n", wrap_within(&on, WIDTH))?,
             false => writeln!(out, "{BOLD}{name}{BOLD:#}  {on}\n")?,
         }
         let mut columns = operands(&results.calls, &signature.operands);
-        for group in groups(&results.columns) {
+        // Columns of the same engine whose results are all equal are one.
+        let same = |one: &&DialectResults, other: &&DialectResults| {
+            one.engine == other.engine && one.results == other.results
+        };
+        for group in grouped_by(&results.columns, same) {
             columns.push(self.column(&group, signature.result, notes));
         }
         table(&columns, signature.operands.len()).write(out, Some(WIDTH))?;
@@ -338,23 +337,6 @@ fn title(identity: &Identity) -> String {
     format!("{} {}", identity.name, identity.version)
         .trim_end()
         .to_owned()
-}
-
-/// Groups the columns of the same engine whose results are all equal.
-fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
-    let mut groups: Vec<Vec<&DialectResults>> = Vec::new();
-    for column in columns {
-        let same = |group: &&mut Vec<&DialectResults>| {
-            group
-                .first()
-                .is_some_and(|first| first.engine == column.engine && first.results == column.results)
-        };
-        match groups.iter_mut().find(same) {
-            Some(group) => group.push(column),
-            None => groups.push(vec![column]),
-        }
-    }
-    groups
 }
 
 /// Returns the table columns of the operands.

@@ -1,7 +1,7 @@
 //! Asks an engine for the answers of a recording.
 
 use super::questions::{self, is_true, pairs_compared, program_of, questions_of, signatures, word_key};
-use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, comparison_word, key};
+use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, comparison_word};
 use crate::implicit::{self, MatrixAnswer};
 use crate::overview;
 use crate::session::FunctionSession;
@@ -72,7 +72,7 @@ impl Recording {
                         Ok(answers)
                     },
                 )?;
-                let keys = signatures.iter().map(|signature| (dialect, key(signature)));
+                let keys = signatures.iter().map(|one| (dialect, one.to_string()));
                 self.functions.extend(keys.zip(answers));
             }
         }

@@ -1,7 +1,7 @@
 //! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
 
 use super::questions::{self, is_true, word_key};
-use super::{AnsweredCalls, FunctionAnswers, Recording, comparison_word, key};
+use super::{AnsweredCalls, FunctionAnswers, Recording, comparison_word};
 use crate::implicit::MatrixAnswer;
 use crate::session::{RefusalKind, refusal_kind};
 use std::collections::HashMap;
@@ -40,7 +40,7 @@ impl RecordingBuilder {
     /// Returns the recording.
     pub fn finish(mut self) -> Recording {
         for signature in questions::signatures(self.dialect) {
-            let row = key(&signature);
+            let row = signature.to_string();
             if let Some(calls) = self.calls.remove(&row) {
                 // Some refused calls say nothing about the others.
                 let asked = crate::overview::boundary_calls(&signature);
@@ -67,7 +67,7 @@ impl RecordingBuilder {
             Question::Call(call) => {
                 let signature = signature_of(call, self.dialect)?;
                 let answer = result(outcome, observed)?;
-                let calls = self.calls.entry(key(&signature)).or_default();
+                let calls = self.calls.entry(signature.to_string()).or_default();
                 if calls.iter().all(|(known, _)| *known != call.operands) {
                     calls.push((call.operands.clone(), answer));
                 }

@@ -64,13 +64,10 @@ pub fn program_of(question: &Question) -> ConversionProgram {
     }
 }
 
-/// Returns every ordered pair of types.
-fn pairs(types: &[ElementaryType]) -> Vec<TypePair> {
-    let of_row = |row: &ElementaryType| {
-        let row = *row;
-        types.iter().map(move |column| (row, *column))
-    };
-    types.iter().flat_map(of_row).collect()
+/// Returns every ordered pair of types: each type with each type, row by row.
+pub fn pairs(types: &[ElementaryType]) -> Vec<TypePair> {
+    let of_row = |row| types.iter().map(move |column| (row, *column));
+    types.iter().copied().flat_map(of_row).collect()
 }
 
 /// Returns the signatures of all conversion functions of a dialect.

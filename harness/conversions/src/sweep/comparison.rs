@@ -11,10 +11,10 @@ use stickler_types::Value;
 const BLOCK: usize = 1024;
 
 /// The number of inputs that a worker takes at a time: about a millisecond's work.
-const STEP: u64 = 1 << 18;
+const STEP: usize = 1 << 18;
 
 /// The number of inputs that a worker takes at a time where exact arithmetic has no bulk form.
-const SLOW_STEP: u64 = 1 << 9;
+const SLOW_STEP: usize = 1 << 9;
 
 /// A sweep, the converter that it compares with exact arithmetic, and the buffers of one worker.
 #[derive(Clone)]
@@ -42,7 +42,7 @@ impl<'s> SweepComparison<'s> {
     }
 
     /// Returns the number of inputs that a worker takes at a time.
-    pub const fn step(&self) -> u64 {
+    pub const fn step(&self) -> usize {
         if self.bulk.is_some() { STEP } else { SLOW_STEP }
     }
 
@@ -71,8 +71,7 @@ impl<'s> SweepComparison<'s> {
     }
 
     fn compare_blocks(&mut self, bulk: Bulk, places: Range<u64>, found: &mut SweepFindings) {
-        let mut start = places.start;
-        while start < places.end {
+        for start in places.clone().step_by(BLOCK) {
             let end = places.end.min(start + BLOCK as u64);
             // A block has at most `BLOCK` inputs.
             let length = (end - start) as usize;
@@ -85,7 +84,6 @@ impl<'s> SweepComparison<'s> {
                 self.collect_differences(start, length, found);
             }
             found.done += end - start;
-            start = end;
         }
     }
 

@@ -39,9 +39,7 @@ pub fn run(
 }
 
 /// Returns the places of all inputs in order, in ranges of `step`.
-fn tasks(step: u64, inputs: u64) -> impl Iterator<Item = Range<u64>> {
-    let starts = std::iter::successors(Some(0), move |start: &u64| start.checked_add(step));
-    starts
-        .take_while(move |start| *start < inputs)
-        .map(move |start| start..inputs.min(start.saturating_add(step)))
+fn tasks(step: usize, inputs: u64) -> impl Iterator<Item = Range<u64>> {
+    let starts = (0..inputs).step_by(step);
+    starts.map(move |start| start..inputs.min(start.saturating_add(step as u64)))
 }

@@ -4,12 +4,13 @@ use stickler_conversions::sweep::{Domain, Sampling};
 use stickler_mdtest::check_examples;
 use stickler_types::{ElementaryType, Value, literal};
 
-fn domain(ty: ElementaryType, inputs: u64) -> Domain {
+fn domain(operands: &[ElementaryType], inputs: u64, seed: u64) -> Domain {
     let sampling = Sampling {
         inputs: Some(inputs),
+        seed,
         ..Sampling::default()
     };
-    Domain::of(&[ty], sampling)
+    Domain::of(operands, sampling)
 }
 
 fn holds(domain: &Domain, literal: &str) -> bool {
@@ -47,7 +48,7 @@ fn golden_domains() {
             assert_eq!(domain.len(), 1 << ty.bits(), "{ty}");
             return domain.operands(place)[0].to_string();
         }
-        let domain = domain(ty, 0);
+        let domain = domain(&[ty], 0, 1);
         let missing = example
             .text("holds")
             .split_whitespace()
@@ -60,12 +61,7 @@ fn golden_domains() {
 fn a_sample_is_the_same_for_the_same_seed_and_another_for_another() {
     for ty in [ElementaryType::Lreal, ElementaryType::Dt, ElementaryType::String] {
         let with = |seed| {
-            let sampling = Sampling {
-                inputs: Some(100),
-                seed,
-                ..Sampling::default()
-            };
-            let domain = Domain::of(&[ty], sampling);
+            let domain = domain(&[ty], 100, seed);
             let (chosen, _) = domain.parts().expect("a sample");
             (chosen..domain.len())
                 .map(|place| domain.operands(place))
@@ -79,7 +75,7 @@ fn a_sample_is_the_same_for_the_same_seed_and_another_for_another() {
 #[test]
 fn whatever_is_sampled_is_a_value_of_its_type() {
     for ty in ElementaryType::ALL {
-        let domain = domain(ty, 5_000);
+        let domain = domain(&[ty], 5_000, 1);
         for place in 0..domain.len() {
             let operands = domain.operands(place);
             let written = operands[0].to_string();
@@ -90,7 +86,7 @@ fn whatever_is_sampled_is_a_value_of_its_type() {
 
 #[test]
 fn a_sample_of_reals_has_ties_and_numbers_on_either_side() {
-    let domain = domain(ElementaryType::Lreal, 10_000);
+    let domain = domain(&[ElementaryType::Lreal], 10_000, 1);
     let (chosen, _) = domain.parts().expect("a sample");
     let mut ties = 0;
     for place in chosen..domain.len() {
@@ -106,21 +102,13 @@ fn a_sample_of_reals_has_ties_and_numbers_on_either_side() {
 
 #[test]
 fn two_operands_are_paired_boundary_by_boundary() {
-    let operands = [ElementaryType::Date, ElementaryType::Tod];
-    let sampling = Sampling {
-        inputs: Some(10),
-        ..Sampling::default()
-    };
-    let domain = Domain::of(&operands, sampling);
+    let domain = domain(&[ElementaryType::Date, ElementaryType::Tod], 10, 1);
     let (chosen, sampled) = domain.parts().expect("a sample");
     assert_eq!(sampled, 10);
     assert_eq!(domain.len(), chosen + 10);
     for place in [0, chosen - 1, chosen, chosen + 9] {
-        let types: Vec<String> = domain
-            .operands(place)
-            .iter()
-            .map(|value| value.type_name().to_owned())
-            .collect();
+        let operands = domain.operands(place);
+        let types: Vec<&str> = operands.iter().map(Value::type_name).collect();
         assert_eq!(types, ["DATE", "TOD"]);
     }
 }

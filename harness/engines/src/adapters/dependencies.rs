@@ -96,14 +96,12 @@ struct Named {
 impl DependencyPaths {
     /// Adds the path of the dependency with this key; `written` is the place where a person wrote it, such as
     /// `stickler.toml:4`.
-    #[must_use]
     pub fn named(mut self, key: &str, path: PathBuf, written: String) -> DependencyPaths {
         self.named.insert(key.to_owned(), Named { path, written });
         self
     }
 
     /// Ignores environment variables.
-    #[must_use]
     pub fn without_variables(mut self) -> DependencyPaths {
         self.without_variables = true;
         self

@@ -85,45 +85,30 @@ fn hold(dialect: DialectName, signature: &Signature, operands: &[Value], source:
         set: &set,
         ..RunRequest::once(dialect, source, &observe)
     };
-    let answer = run(&request, Limits::default());
-    let call = || {
-        let operands: Vec<String> = operands.iter().map(Value::to_string).collect();
-        format!("{}({}) in {dialect}", signature.function, operands.join(", "))
-    };
-    let got = match answer {
-        Ok(Outcome::Executed { values, .. }) => values.into_iter().map(|(_, value)| value).next(),
-        Ok(Outcome::Rejected { diagnostics: said }) => {
-            let first = said
-                .first()
-                .and_then(|first| first.code.clone())
-                .unwrap_or_default();
-            let message = format!("{} is rejected: {said:?}", call());
-            return failed(format!("rejected:{first}"), message);
-        }
-        Ok(Outcome::Faulted { fault, .. }) => {
-            let message = format!("{} faults: {fault}", call());
-            return failed(format!("fault:{fault}"), message);
-        }
-        Ok(other) => return failed("request", format!("{}: {other}", call())),
-        Err(RequestError::Internal(reason)) => {
-            return failed("internal-error", format!("{}: {reason}", call()));
-        }
-        Err(error) => return failed("request", format!("{}: {error}", call())),
-    };
     let exact = expected(signature, operands, dialect);
-    if got.as_ref() == Some(&exact.value) {
-        return Ok(());
-    }
-    let got = got.map_or_else(|| "nothing".to_owned(), |value| value.to_string());
-    let basis = exact.basis.unwrap_or("open: no document says");
-    failed(
-        format!("value:{}", signature.function),
-        format!(
-            "{} is {} ({basis}), and the reference gives {got}",
-            call(),
-            exact.value
-        ),
-    )
+    let (symptom, what) = match run(&request, Limits::default()) {
+        Ok(Outcome::Executed { values, .. }) => match values.first().map(|(_, value)| value) {
+            Some(value) if *value == exact.value => return Ok(()),
+            got => {
+                let got = got.map_or_else(|| "nothing".to_owned(), Value::to_string);
+                let basis = exact.basis.unwrap_or("open: no document says");
+                let what = format!(" is {} ({basis}), and the reference gives {got}", exact.value);
+                (format!("value:{}", signature.function), what)
+            }
+        },
+        Ok(Outcome::Rejected { diagnostics: said }) => {
+            let first = said.first().and_then(|first| first.code.as_deref());
+            let symptom = format!("rejected:{}", first.unwrap_or_default());
+            (symptom, format!(" is rejected: {said:?}"))
+        }
+        Ok(Outcome::Faulted { fault, .. }) => (format!("fault:{fault}"), format!(" faults: {fault}")),
+        Ok(other) => ("request".to_owned(), format!(": {other}")),
+        Err(RequestError::Internal(reason)) => ("internal-error".to_owned(), format!(": {reason}")),
+        Err(error) => ("request".to_owned(), format!(": {error}")),
+    };
+    let operands: Vec<String> = operands.iter().map(Value::to_string).collect();
+    let call = format!("{}({}) in {dialect}", signature.function, operands.join(", "));
+    failed(symptom, call + &what)
 }
 
 #[cfg(test)]

@@ -203,10 +203,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
             })
             .map(|variable| variable.name.clone())
             .collect();
-        match self.choose(found) {
-            Some(name) => Some(name),
-            None => self.declare_variable(unit, ty),
-        }
+        self.choose(found).or_else(|| self.declare_variable(unit, ty))
     }
 
     /// Declares a local variable of an elementary type and returns its name.
@@ -233,10 +230,10 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         let suits = |place: &Place| {
             place.ty == Type::Elementary(ty) && variables.get(place.variable.0).is_some_and(&eligible)
         };
-        match self.place(unit, |place, _| suits(place)) {
-            Some(place) => Some(ExpressionKind::Read(place)),
-            None => self.declare_variable(unit, ty).map(ExpressionKind::Raw),
-        }
+        let found = self
+            .place(unit, |place, _| suits(place))
+            .map(ExpressionKind::Read);
+        found.or_else(|| self.declare_variable(unit, ty).map(ExpressionKind::Raw))
     }
 
     /// Creates a value of an elementary type that is no bare variable: an operation on one, where the type has operations. A constant is

@@ -8,16 +8,11 @@ fn bytes(seed: u64) -> Vec<u8> {
     stickler_generate::random::bytes(seed ^ 0x5EED, (seed * 11 % 2000) as usize)
 }
 
-/// Returns the number of programs to judge: `SEEDS` of the environment, or few.
-fn seeds() -> u64 {
-    let asked = std::env::var("SEEDS").ok();
-    asked.and_then(|seeds| seeds.parse().ok()).unwrap_or(400)
-}
-
 #[test]
 fn the_reference_gives_what_the_evaluator_gives_and_so_do_all_variants() {
     let (mut failures, mut passed_over) = (String::new(), 0);
-    for seed in 0..seeds() {
+    let seeds = crate::seeds(400);
+    for seed in 0..seeds {
         match execute::execute(&bytes(seed)) {
             Ok(InputOutcome::Checked) => {}
             Ok(InputOutcome::Skipped(_)) => passed_over += 1,
@@ -28,8 +23,7 @@ fn the_reference_gives_what_the_evaluator_gives_and_so_do_all_variants() {
     }
     assert_eq!(failures, "");
     assert!(
-        passed_over * 5 < seeds(),
-        "{passed_over} of {} programs are passed over",
-        seeds()
+        passed_over * 5 < seeds,
+        "{passed_over} of {seeds} programs are passed over"
     );
 }

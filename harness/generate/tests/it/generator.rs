@@ -24,10 +24,9 @@ fn made(dialect: DialectName, seed: u64) -> Program {
     program(&bytes(seed), &GeneratorSettings::of(dialect))
 }
 
-/// Returns the number of programs of a dialect to generate: `SEEDS` of the environment, or few.
+/// Returns the number of programs of a dialect to generate.
 fn seeds() -> u64 {
-    let asked = std::env::var("SEEDS").ok();
-    asked.and_then(|seeds| seeds.parse().ok()).unwrap_or(600)
+    crate::seeds(600)
 }
 
 #[test]

@@ -139,19 +139,10 @@ fn other_truth(Conversion { from, to, rule }: Conversion) -> Option<WrongCode> {
         let rule = ConversionRule::NonZero;
         return instead([Instruction::Convert(Conversion { from, to, rule })]);
     }
-    let integer = if from.is_real() {
-        ElementaryType::Lint
-    } else {
-        from
-    };
-    let wrap = Instruction::Convert(Conversion {
-        from: integer,
-        to,
-        rule: ConversionRule::Wrap,
-    });
-    if from.is_real() {
-        instead([converted(from, integer)?, wrap])
-    } else {
-        instead([wrap])
+    let rule = ConversionRule::Wrap;
+    let wrap = |from| Instruction::Convert(Conversion { from, to, rule });
+    match from.is_real() {
+        true => instead([converted(from, ElementaryType::Lint)?, wrap(ElementaryType::Lint)]),
+        false => instead([wrap(from)]),
     }
 }

@@ -45,7 +45,6 @@ impl UnaryFunction {
 }
 
 /// Returns what LEN gives for a text.
-#[must_use]
 pub fn length(text: &[u16]) -> u64 {
     narrow(text.len() as u64, ElementaryType::Int)
 }

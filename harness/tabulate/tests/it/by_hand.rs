@@ -20,11 +20,12 @@ const STEPS: [(&str, [&str; 2]); 6] = [
         "expression-argument-widens",
         ["{narrow}_TO_{wide}", "{wide}_TO_{to}"],
     ),
-    ("expression-operand-widens", SUM_STEPS),
+    // After these, 1 is added.
+    (
+        "expression-operand-widens",
+        ["{from}_TO_{narrow}", "{narrow}_TO_{wide}"],
+    ),
 ];
-
-/// The steps of `expression-operand-widens`, after which 1 is added.
-const SUM_STEPS: [&str; 2] = ["{from}_TO_{narrow}", "{narrow}_TO_{wide}"];
 
 /// Preparations of the input of a row, each with the function that takes the result.
 ///

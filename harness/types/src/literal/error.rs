@@ -53,7 +53,6 @@ impl LiteralError {
     }
 
     /// Returns the same error for a text that has `by` more bytes in front.
-    #[must_use]
     pub const fn shifted(mut self, by: usize) -> LiteralError {
         match &mut self {
             LiteralError::Malformed { at, .. }

@@ -70,19 +70,9 @@ fn names(finding: &Finding, arguments: &FuzzArguments) -> Vec<String> {
 
 fn write_replayed(finding: &Finding, replayed: &Replayed, out: &mut dyn Write) -> io::Result<()> {
     for (answer, wrong) in &replayed.answers {
-        let version = &answer.engine.version;
-        match wrong {
-            Some(wrong) => writeln!(
-                out,
-                "{} {version}: {} {wrong}",
-                answer.engine.name, answer.outcome
-            )?,
-            None => writeln!(
-                out,
-                "{} {version}: {} as it must",
-                answer.engine.name, answer.outcome
-            )?,
-        }
+        let (engine, outcome) = (&answer.engine, &answer.outcome);
+        let wrong = wrong.as_deref().unwrap_or("as it must");
+        writeln!(out, "{} {}: {outcome} {wrong}", engine.name, engine.version)?;
     }
     if let (Some(judged), Some(target)) = (&replayed.judged, finding.target()) {
         write_judged("its input", target, judged, out)?;

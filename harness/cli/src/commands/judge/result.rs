@@ -145,13 +145,9 @@ impl TraceResult {
             found,
         } in self.differences.iter().take(MAX_SHOWN)
         {
-            match found {
-                Some(found) => writeln!(out, "     scan {scan}: {name} = {found}, expected {expected}")?,
-                None => writeln!(
-                    out,
-                    "     scan {scan}: {name} was not reached, expected {expected}"
-                )?,
-            }
+            let found = found.as_ref().map(|found| format!("= {found}"));
+            let found = found.as_deref().unwrap_or("was not reached");
+            writeln!(out, "     scan {scan}: {name} {found}, expected {expected}")?;
         }
         match self.differences.len().saturating_sub(MAX_SHOWN) {
             0 => Ok(()),

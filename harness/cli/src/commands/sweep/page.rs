@@ -46,10 +46,7 @@ impl<'p> SweepPage<'p> {
         let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
         writeln!(
             self.out,
-            "{BOLD}{}({}) : {}{BOLD:#}  on {}, in {}",
-            signature.function,
-            operands.join(", "),
-            signature.result,
+            "{BOLD}{signature}{BOLD:#}  on {}, in {}",
             self.engine,
             dialect_list(&sweep.dialects),
         )?;

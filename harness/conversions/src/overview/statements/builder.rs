@@ -6,7 +6,7 @@ use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
 use crate::overview::results::ExpectedResult;
 use crate::recording::Recording;
-use indexmap::IndexSet;
+use indexmap::{IndexMap, IndexSet};
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, signature_of};
@@ -41,8 +41,7 @@ pub struct StatedFunction {
 /// Statements about pairs of words, and the cases that ask about them.
 #[derive(Default)]
 struct AcceptedTable {
-    all: Vec<Accepted>,
-    numbers: HashMap<(u32, u32), usize>,
+    all: IndexMap<(u32, u32), Accepted>,
     cases: Vec<(Arc<str>, usize)>,
 }
 
@@ -57,16 +56,13 @@ impl AcceptedTable {
         let Some(dialect) = dialects.iter().position(|dialect| *dialect == statement.dialect) else {
             return;
         };
-        let next = self.all.len();
-        let number = *self.numbers.entry((from, to)).or_insert(next);
-        if number == next {
+        let entry = self.all.entry((from, to));
+        let number = entry.index();
+        let accepted = entry.or_insert_with(|| {
             let stated = vec![None; dialects.len()];
-            self.all.push(Accepted { from, to, stated });
-        }
-        let stated = &mut self.all[number].stated[dialect];
-        if stated.is_none() {
-            *stated = Some((statement.word, basis));
-        }
+            Accepted { from, to, stated }
+        });
+        accepted.stated[dialect].get_or_insert((statement.word, basis));
         self.cases.push((Arc::clone(statement.case), number));
     }
 }
@@ -159,9 +155,9 @@ impl StatementsBuilder {
     pub fn accepted(&self) -> impl Iterator<Item = (Question, DialectName, MatrixWord, &str)> {
         let word = |number: u32| self.words.word(number);
         let ty = move |number| ElementaryType::from_name(word(number));
-        let pairs = self.pairs.all.iter();
+        let pairs = self.pairs.all.values();
         let pairs = pairs.filter_map(move |of| Some((Question::Implicit((ty(of.from)?, ty(of.to)?)), of)));
-        let parts = self.parts.all.iter();
+        let parts = self.parts.all.values();
         let parts =
             parts.filter_map(move |of| Some((Question::Part(ty(of.from)?, word(of.to).to_owned()), of)));
         pairs.chain(parts).flat_map(move |(question, asked)| {
@@ -188,8 +184,8 @@ impl StatementsBuilder {
                 .iter()
                 .map(|dialect| &dialect.rules().title[..])
                 .collect(),
-            pairs: self.pairs.all,
-            parts: self.parts.all,
+            pairs: self.pairs.all.into_values().collect(),
+            parts: self.parts.all.into_values().collect(),
             ..Statements::default()
         };
         let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);

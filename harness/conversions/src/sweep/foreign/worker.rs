@@ -246,8 +246,8 @@ impl ForeignSweep<'_> {
 /// Returns the checksum of the exact results at the given places.
 pub fn total(sweep: &Sweep, counting: &Counting, places: Range<u64>) -> Value {
     let (mut operands, mut results) = ([0; BLOCK], [0; BLOCK]);
-    let (mut total, mut start) = (0, places.start);
-    while start < places.end {
+    let mut total = 0;
+    for start in places.clone().step_by(BLOCK) {
         let end = places.end.min(start + BLOCK as u64);
         // The length is at most `BLOCK`.
         let length = (end - start) as usize;
@@ -256,7 +256,6 @@ pub fn total(sweep: &Sweep, counting: &Counting, places: Range<u64>) -> Value {
         total = results[..length]
             .iter()
             .fold(total, |total, raw| counting.checksum.add(total, *raw));
-        start = end;
     }
     Value::plain(ElementaryType::Lint, total)
 }
