@@ -1,5 +1,5 @@
-//! Asks about the neighbours of a shown program: the same with another type, another number, or in another dialect. They say how far a cause
-//! goes.
+//! Asks about the neighbours of a shown program: the same with another type, another number, another name, or in another dialect. They say how
+//! far a cause goes.
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
@@ -155,9 +155,11 @@ impl Asking<'_> {
         let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
         // What a compiler of C finds wrong may be a name of its own.
         let is_written = matches!(symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
-        let names = read(&shown.program, |program| with_other_names(program)).into_iter();
+        let names = read(&shown.program, with_other_names)
+            .into_iter()
+            .filter(|_| is_written);
         let names = names.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
-        let names: Vec<(Neighbour, Case)> = names.filter(|_| is_written).collect();
+        let names: Vec<(Neighbour, Case)> = names.collect();
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
         let place = compiler_place(&shown.got);
         let mut keys = Vec::new();
@@ -315,7 +317,7 @@ fn with_other_types(
     found
 }
 
-/// Returns a program with another name in the place of each that it declares, which it is not the same with.
+/// Returns a program with another name in the place of each name that it declares, as neighbours with which the same does not come.
 fn with_other_names(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
     let names: BTreeSet<&str> = program.names.iter().map(|one| one.name.text).collect();
     let renamed = names.into_iter().take(MAX_NAMES).map(|name| {

@@ -107,9 +107,10 @@ impl Reproducer {
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Neighbour {
-    /// The elementary type, the integer literal, the location or the dialect in whose place another stands, as a page writes it: `` `INT` ``.
+    /// The elementary type, the integer literal, the location, the name or the dialect in whose place another stands, as a page writes it:
+    /// `` `INT` ``.
     pub replaced: String,
-    /// The type, the literal, the location or the dialect that stands there instead.
+    /// The type, the literal, the location, the name or the dialect that stands there instead.
     pub by: String,
     /// Whether the engine deviates in the same way; otherwise it does what it must.
     pub is_same: bool,
