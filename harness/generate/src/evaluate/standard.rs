@@ -38,12 +38,10 @@ impl<'p> ModelEvaluator<'p> {
             };
             ty.real_value(*raw).is_none_or(f64::is_finite)
         };
-        if keeps && matches!(function, Abs | Limit) && !cells.iter().zip(arguments).all(is_finite) {
-            self.open(OpenQuestion::NotANumber, || {
-                "ABS or LIMIT of an infinity".to_owned()
-            });
-        }
+        let is_kept = keeps && !cells.iter().zip(arguments).all(is_finite);
         match (function, &cells[..], arguments) {
+            // What is not finite, or has a limit that is not, stays what it is.
+            (Abs, [value], _) | (Limit, [_, value, _], _) if is_kept => Ok(value.clone()),
             (Abs, [cell], [argument]) => self.absolute(argument, cell),
             (Sel, [MemoryCell::Plain(gate), first, second], _) => {
                 Ok(if *gate == 0 { first } else { second }.clone())
