@@ -10,6 +10,7 @@ use crate::adapters::driver::{DrivenProgram, Driver, clock};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words_of};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
+use std::collections::HashSet;
 use stickler_types::ElementaryType;
 
 /// The headers that every driver includes.
@@ -123,12 +124,20 @@ fn driven<'r>(
         ),
     };
     let observed = request.observe.iter().zip(&kinds);
+    let pointers = pointers(request);
+    let place = |variable: &str| {
+        let variable = variable.to_ascii_uppercase();
+        match pointers.contains(&variable) {
+            true => format!("(*{instance}.{variable}.value)"),
+            false => format!("{instance}.{variable}.value"),
+        }
+    };
     Ok(DrivenProgram {
         request: *request,
         before: clock(request, set_clock),
         after: observed
             .map(|(asked, kind)| {
-                let variable = place(instance, probes.variable(asked), request);
+                let variable = place(probes.variable(asked));
                 let print = values::statement(asked, kind, &expression(kind, variable));
                 (asked.after, print)
             })
@@ -184,22 +193,14 @@ fn configured(own: &OwnConfiguration) -> String {
     )
 }
 
-/// Returns the C expression for a variable of the instance of a program.
-fn place(instance: &str, variable: &str, request: &RunRequest<'_>) -> String {
-    let value = format!("{instance}.{}.value", variable.to_ascii_uppercase());
-    match is_pointer(request, variable) {
-        true => format!("(*{value})"),
-        false => value,
-    }
-}
-
-/// Returns whether the main program declares a variable of this name with a location or as an external one, of which the C has a pointer.
-fn is_pointer(request: &RunRequest<'_>, variable: &str) -> bool {
+/// Returns the variables, in capitals, that the main program declares with a location or as external ones, of which the C has pointers.
+fn pointers(request: &RunRequest<'_>) -> HashSet<String> {
     let inside = main_program(request).map_or(request.source, |main| &request.source[main.inside]);
     let inside = RunRequest {
         source: inside,
         ..*request
     };
+    let mut pointers = HashSet::new();
     let mut words = words_of(&inside).peekable();
     let mut is_external = false;
     while let Some(word) = words.next() {
@@ -208,11 +209,11 @@ fn is_pointer(request: &RunRequest<'_>, variable: &str) -> bool {
         } else if word.is("END_VAR") {
             is_external = false;
         // AT is a keyword, so no name.
-        } else if word.is(variable) && (is_external || words.peek().is_some_and(|next| next.is("AT"))) {
-            return true;
+        } else if is_external || words.peek().is_some_and(|next| next.is("AT")) {
+            pointers.insert(word.text.to_ascii_uppercase());
         }
     }
-    false
+    pointers
 }
 
 /// Tells whether the compiler has values of a type.
