@@ -189,9 +189,11 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
             if let Some(ty) = target.or_else(in_calculation).or(source) {
                 let is_typed = type_of_word(literal) == Some(ty);
                 let plain = literal.split_once('#').filter(|_| is_typed);
-                literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, &untyped(ty, plain))));
-                literals.push(Alone::assigned(ty, literal));
-                literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
+                let plain = plain.map(|(_, plain)| untyped(ty, plain));
+                for literal in plain.as_deref().into_iter().chain([literal]) {
+                    literals.push(Alone::assigned(ty, literal));
+                    literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
+                }
             }
         } else if let (Some(ty), Some(from)) = (target, source) {
             let is_variable = program.specification(part.id).is_some();

@@ -1,5 +1,7 @@
 //! Other forms of a small program: with fewer statements, with other operands, types and literals.
 
+use crate::alone::binary;
+use crate::malformed::number_of_literal;
 use crate::program::{Part, ReadProgram, read};
 use crate::words::{elementary, is_number, tokens, type_of_word};
 use std::collections::BTreeSet;
@@ -8,7 +10,9 @@ use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{ExpressionKind, Pou, PouKind, TypeSpecificationKind, VariableKind};
+use stickler_syntax::tree::{
+    BinaryOperator, ExpressionKind, Pou, PouKind, TypeSpecificationKind, VariableKind,
+};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
 
@@ -163,6 +167,38 @@ pub(crate) fn with_variable_for_bit(program: &ReadProgram<'_, '_>) -> Vec<String
     };
     let given = program.at(Place::OutputArgument).chain(program.at(Place::Target));
     given.filter(is_bit).filter_map(change).collect()
+}
+
+/// Returns programs with the numbers that calculations with literals give in the place of these.
+pub(crate) fn with_folded_literals(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let number = |id| number_of_literal(program.text(id));
+    let fold = |part: &Part<'_, '_>| {
+        let (operator, left, right) = binary(program, part.id)?;
+        let (left, right) = (number(left)?, number(right)?);
+        let folded = match operator {
+            BinaryOperator::Add => left.checked_add(right)?,
+            BinaryOperator::Subtract => left.checked_sub(right)?,
+            BinaryOperator::Multiply => left.checked_mul(right)?,
+            _ => return None,
+        };
+        Some(Edits::replacing(part.expression.span, folded.to_string()).apply(program.text))
+    };
+    program.parts.iter().filter_map(fold).collect()
+}
+
+/// Returns programs in which a variable has the type of the function that is called, and is given in its place: what a function gives may
+/// matter no more than its type.
+pub(crate) fn with_variable_for_call(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.text;
+    let change = |part: &Part<'_, '_>| {
+        let (name, _) = program.call(part.id)?;
+        let result = program.unit_of(name)?.result.as_ref()?.span.text(text);
+        let end = end_of_variables(text, part.pou?)?;
+        let mut edits = Edits::replacing(part.expression.span, "given");
+        edits.replace(end..end, format!("    given : {result};\n"));
+        Some(without_unused(&edits.apply(text)))
+    };
+    program.at(Place::Value).filter_map(change).collect()
 }
 
 /// Returns programs that measure a text in the end, each with what it observes: the length of the text where that is wrong, or else

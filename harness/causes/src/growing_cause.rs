@@ -165,7 +165,9 @@ impl GrowingCause {
             construct: essence.construct(),
             title: {
                 let by_chance = smallest.flaky.as_ref().map(|_| "in some runs");
-                let unchecked = essence.is_unchecked().then_some("types are not checked");
+                let unchecked = essence
+                    .is_unchecked()
+                    .then_some("types are not checked in this place");
                 let words = [by_chance, essence.pattern.or(unchecked)];
                 let words = words.into_iter().flatten().map(str::to_owned);
                 let said = title(shown, engine.grade == Grade::Code);

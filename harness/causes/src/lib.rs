@@ -37,6 +37,7 @@
 mod alone;
 mod claim;
 mod compiler_place;
+mod declared_first;
 mod essence;
 mod failed;
 mod failure_sign;

@@ -96,7 +96,12 @@ pub(crate) fn lacked_function<'s>(program: &ReadProgram<'_, 's>, got: &[Fact]) -
     // What stands in quotes is no text here.
     let is_said = |name: &&str| {
         let mut words = said.split(|sign: char| !sign.is_alphanumeric() && sign != '_');
-        words.any(|word| word.eq_ignore_ascii_case(name))
+        // The names of a linker have the types of the arguments behind two underscores.
+        words.any(|word| {
+            word.split("__")
+                .next()
+                .is_some_and(|own| own.eq_ignore_ascii_case(name))
+        })
     };
     let callees = program.at(Place::Callee).map(|part| program.text(part.id));
     let mut of_library = callees.filter(|name| is_unknown && !program.declares(name));

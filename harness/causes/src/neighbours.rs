@@ -14,12 +14,15 @@ use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
 use crate::words::{elementary, has_word, tokens};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use stickler_engines::EngineError;
+use stickler_reference::errors;
 use stickler_run::{Neighbour, RunError, Symptom};
 use stickler_suite::Case;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
+use stickler_syntax::tree::{Declaration, PouKind};
 use stickler_types::ElementaryType;
 use stickler_workers::WorkerPool;
 
@@ -40,6 +43,12 @@ const UNDECLARED: &str = "a type that is not declared";
 
 /// The words for the name that stands in the place of another.
 const OTHER_NAME: &str = "another name";
+
+/// The keyword of a program in whose place a function block is right.
+const IN_PROGRAM: &str = "`PROGRAM`";
+
+/// A program beside a function block.
+const CALLER: &str = "\nPROGRAM caller\nVAR\n    n : INT;\nEND_VAR\n    n := 0;\nEND_PROGRAM\n";
 
 /// The maximum number of names in whose place others are tried.
 const MAX_NAMES: usize = 6;
@@ -65,6 +74,16 @@ impl Asking<'_> {
             }
             if let Some(named) = neighbours.iter().find(|one| one.by == OTHER_NAME) {
                 member.cause.title += &format!(", by the name {}", named.replaced);
+            }
+            let is_as = |one: &&Neighbour| one.by == UNDECLARED && one.is_same;
+            if neighbours.iter().any(|one| is_as(&one)) && matches!(member.sign.symptom, Symptom::Crash(_)) {
+                member.cause.title += ", as with a type that is not declared";
+            }
+            if let Some(blank) = neighbours.iter().find(|one| one.replaced.starts_with("` ")) {
+                member.cause.title += &format!(", with a blank before {}", blank.by);
+            }
+            if neighbours.iter().any(|one| one.replaced == IN_PROGRAM) {
+                member.cause.title += ", in a PROGRAM but not in a FUNCTION_BLOCK";
             }
             let own = format!("`{}`", member.cause.shown.dialect);
             let others = || neighbours.iter().filter(|one| one.replaced == own);
@@ -99,7 +118,21 @@ impl Asking<'_> {
         else {
             return Ok(Default::default());
         };
-        let as_shown = |program: &str| as_the_reference(known, program, &all_variables(known, program));
+        // What a valid program that is rejected would do does not matter, such as where it would stop with a fault.
+        let accepted = |program: &str| {
+            let is_valid = member.sign.rejects_valid() && errors(program, known.dialect).is_empty();
+            is_valid.then(|| Case {
+                source: program.into(),
+                observe: Arc::default(),
+                scans: 0,
+                expectation: Arc::default(),
+                ..(*known).clone()
+            })
+        };
+        let as_shown = |program: &str| {
+            let case = as_the_reference(known, program, &all_variables(known, program));
+            case.or_else(|| accepted(program))
+        };
         let Some(own) = as_shown(&shown.program) else {
             return Ok(Default::default());
         };
@@ -155,9 +188,12 @@ impl Asking<'_> {
         let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
         // What a compiler of C finds wrong may be a name of its own.
         let is_written = matches!(symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
-        let names = read(&shown.program, with_other_names)
-            .into_iter()
-            .filter(|_| is_written);
+        let names = read(&shown.program, |program| match is_written {
+            true => [with_other_names(program), without_blanks(program)].concat(),
+            false if member.sign.accepts() => in_block(program).into_iter().collect(),
+            false => Vec::new(),
+        });
+        let names = names.into_iter();
         let names = names.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
         let names: Vec<(Neighbour, Case)> = names.collect();
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
@@ -336,6 +372,40 @@ fn with_other_names(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
         (neighbour, edits.apply(program.text))
     });
     renamed.collect()
+}
+
+/// Returns a program without the blanks before each sign before which one seldom stands, as neighbours with which the same does not come.
+fn without_blanks(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
+    let signs = [";", "^", ",", ")", "]", "."].into_iter();
+    let spaced = signs.map(|sign| (format!(" {sign}"), sign));
+    let spaced = spaced.filter(|(spaced, _)| program.text.contains(spaced.as_str()));
+    let joined = spaced.map(|(spaced, sign)| {
+        let neighbour = Neighbour {
+            is_same: false,
+            ..neighbour(&spaced, sign)
+        };
+        (neighbour, program.text.replace(&spaced, sign))
+    });
+    joined.collect()
+}
+
+/// Returns a program that has nothing but one PROGRAM with a FUNCTION_BLOCK in its place, as a neighbour with which the same does not come;
+/// `None` for another one.
+fn in_block(program: &ReadProgram<'_, '_>) -> Option<(Neighbour, String)> {
+    let [Declaration::Pou(pou)] = &program.unit.declarations[..] else {
+        return None;
+    };
+    let neighbour = Neighbour {
+        is_same: false,
+        ..neighbour("PROGRAM", "FUNCTION_BLOCK")
+    };
+    let block = with_types(program.text, &[("PROGRAM", "FUNCTION_BLOCK")]);
+    (pou.kind == PouKind::Program).then(|| {
+        (
+            neighbour,
+            block.replace("END_PROGRAM", "END_FUNCTION_BLOCK") + CALLER,
+        )
+    })
 }
 
 /// Returns the numbers of a program, each with plainer ones that may stand in its place, the plainest first: other digits of a location, an

@@ -56,6 +56,9 @@ const LOOP_ALONE: NormalPass = Pass {
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
 const VARIABLE_FOR_BIT: NormalPass =
     alternatives!("give a value to a variable", forms::with_variable_for_bit);
+const FOLDED_LITERALS: NormalPass = alternatives!("fold literals", forms::with_folded_literals);
+const VARIABLE_FOR_CALL: NormalPass =
+    alternatives!("give a variable for a call", forms::with_variable_for_call);
 const WHOLE_VARIABLE: NormalPass = alternatives!("assign a whole variable", forms::with_whole_variable);
 const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
 const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
@@ -93,7 +96,7 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
         Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
-        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE],
+        Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_CALL, FOLDED_LITERALS],
         Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_BIT, SAME_TYPES],
         Symptom::NotImplemented(_) | Symptom::Crash(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT, SAME_TYPES],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {

@@ -6,7 +6,7 @@ use crate::malformed::number_of_literal;
 use crate::program::ReadProgram;
 use crate::words::{tokens, type_of_word};
 use std::collections::BTreeSet;
-use stickler_reference::place_of_input;
+use stickler_reference::{errors, place_of_input};
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
@@ -14,7 +14,7 @@ use stickler_syntax::tree::{
     UnaryOperator,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::ElementaryType;
+use stickler_types::{DialectName, ElementaryType, Family};
 
 /// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
 /// the type of the target; `None` where it has no statement that does both.
@@ -22,30 +22,32 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
     let text = program.text;
     program.at(Place::Value).find_map(|part| {
         let statement = part.statement?;
-        let own = match part.expression.kind {
+        let target = program.target(part)?;
+        let (own, inner) = match part.expression.kind {
             ExpressionKind::Unary {
                 operator: UnaryOperator::Not,
                 operand,
-            } => complemented(program, operand)?,
-            _ => {
-                let (operator, left, right) = binary(program, part.id)?;
-                let own = program.type_of(left)?;
-                Some(own).filter(|own| calculates(operator) && program.type_of(right) == Some(*own))?
-            }
+            } => (complemented(program, operand)?, part.id),
+            _ => match calculated(program, part.id)? {
+                // Of several operations the first may leave its type, and the last come back to it.
+                (own, left) if own == target => (calculated(program, left)?.0, left),
+                (own, _) => (own, part.id),
+            },
         };
-        if program.target(part)? == own {
+        if target == own && inner == part.id {
             return None;
         }
         let first = body(text, part.pou?)?.start;
-        let StatementKind::Assignment { target, .. } = statement.kind else {
+        let StatementKind::Assignment { target: assigned, .. } = statement.kind else {
             return None;
         };
         let mut edits = Edits::replacing(
             statement.span,
             format!(
-                "partial := {};\n    {} := partial",
-                program.text(part.id),
-                program.text(target)
+                "partial := {};\n    {} := {}",
+                program.text(inner),
+                program.text(assigned),
+                program.text(part.id).replacen(program.text(inner), "partial", 1)
             ),
         );
         let section = format!("VAR\n    partial : {};\nEND_VAR\n    ", own.name());
@@ -54,6 +56,14 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
         edits.replace(head..head, format!("\n{}", section.trim_end()));
         Some(edits.apply(text))
     })
+}
+
+/// Returns the one type of the operands of a calculation, and its left operand; `None` where they have several types, and of another
+/// expression.
+fn calculated(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<(ElementaryType, ExpressionId)> {
+    let (operator, left, right) = binary(program, id)?;
+    let own = |id| program.type_of(id).or_else(|| Some(calculated(program, id)?.0));
+    (calculates(operator) && own(left) == own(right)).then_some((own(left)?, left))
 }
 
 /// Returns a program with the numbers that are arguments of a function of its own assigned to variables first, which have the types of the
@@ -191,6 +201,52 @@ pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Opti
         LiteralKind::Boolean => Some("BOOL"),
         _ => None,
     })
+}
+
+/// Returns a program with comparisons in the place of the truth values that are operands or arguments; `None` where it has none.
+pub(crate) fn with_comparisons(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let is_truth = |kind: &ExpressionKind<'_>| matches!(kind, ExpressionKind::Literal(literal) if literal.kind == LiteralKind::Boolean);
+    let mut parts = program.parts.iter();
+    let is_any = parts.any(|part| part.place != Place::Value && is_truth(&part.expression.kind));
+    for part in program
+        .parts
+        .iter()
+        .filter(|part| is_truth(&part.expression.kind))
+    {
+        edits.replace(part.expression.span, "(0 = 0)");
+    }
+    is_any.then(|| edits.apply(program.text))
+}
+
+/// Returns a program with a duration, or with a date or a time of day, of which nothing is right in the place of each that is wrong where
+/// it stands alone; `None` where it has none.
+pub(crate) fn with_wrong_moment(program: &ReadProgram<'_, '_>, is_duration: bool) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut is_any = false;
+    for token in tokens(program.text)
+        .into_iter()
+        .filter(|token| token.kind.is_literal())
+    {
+        let written = token.span.text(program.text);
+        let ty = type_of_word(written).filter(|ty| ty.is_moment() && ty.is_duration() == is_duration);
+        let Some((ty, (prefix, _))) = ty.zip(written.split_once('#')) else {
+            continue;
+        };
+        let alone = format!(
+            "PROGRAM main VAR r : {} := {written}; END_VAR END_PROGRAM",
+            ty.name()
+        );
+        is_any |= !errors(&alone, DialectName::IEC_ED3).is_empty();
+        let wrong = match ty.family() {
+            Family::Duration => "1s1s__1d",
+            Family::Date => "2001-13-45",
+            Family::TimeOfDay => "99:99:99",
+            _ => "2001-13-45-99:99:99",
+        };
+        edits.replace(token.span, format!("{prefix}#{wrong}"));
+    }
+    is_any.then(|| edits.apply(program.text))
 }
 
 /// Returns a program with variables in the place of the integers in its statements; `None` where it has none.

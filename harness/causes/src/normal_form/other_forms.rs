@@ -1,15 +1,19 @@
 //! Asks for other forms of a small program that do the same: where the engine does right with one, it says in which way the engine does an
 //! operation or tells a mistake.
 
-use super::{NormalSearch, is_same};
+use super::{Normal, NormalSearch, is_same};
+use crate::declared_first::declared_first;
+use crate::forms::with_types;
 use crate::program::{ReadProgram, read};
-use crate::question::Deviation;
+use crate::question::{Deviation, wrong_values};
 use crate::smaller_case::as_the_reference;
 use crate::ways;
+use crate::words::has_word;
 use stickler_engines::EngineError;
 use stickler_reference::errors;
 use stickler_run::Symptom;
 use stickler_suite::Acceptance;
+use stickler_types::Value;
 
 /// The way of an engine whose diagnostics have no places.
 const ALL_PLACELESS: &str = "diagnostics without a place";
@@ -23,7 +27,8 @@ pub(crate) const BY_PLACE: &str = "named arguments of a standard function in ano
 type Form = fn(&ReadProgram<'_, '_>) -> Option<String>;
 
 /// The ways of an engine that matter more than what comes of them, each with the form of a program that it does right.
-const WHATEVER_COMES: [(&str, Form); 2] = [
+const WHATEVER_COMES: [(&str, Form); 3] = [
+    ("declaration behind its use", declared_first),
     (
         "number as an argument of a function",
         ways::with_assigned_arguments,
@@ -51,6 +56,16 @@ const OF_ACCEPTED: [(&str, Form); 1] = [(
     "operation in the type of its first operand",
     ways::with_swapped_operands,
 )];
+
+/// The kinds of literals that an engine reads whatever stands in them, each with the form of a program that has nothing right in them.
+const OF_LITERALS: [(&str, Form); 2] = [
+    ("durations are not checked", |program| {
+        ways::with_wrong_moment(program, true)
+    }),
+    ("dates and times of day are not checked", |program| {
+        ways::with_wrong_moment(program, false)
+    }),
+];
 
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
@@ -104,11 +119,52 @@ impl NormalSearch<'_, '_> {
     /// Asks for the forms by which a program with its symptom may be right.
     pub(super) fn other_forms(&mut self) -> Result<(), EngineError> {
         match self.normal.deviation.sign.symptom {
-            Symptom::NotRejected(_) if !self.normal.is_unchecked() => self.ask_forms(&OF_ACCEPTED),
-            Symptom::Value | Symptom::Missing => self.ask_forms(&OF_VALUES),
+            Symptom::NotRejected(_) if !self.normal.is_unchecked() => {
+                for (way, form) in OF_LITERALS {
+                    if self
+                        .ask_form(form)?
+                        .flatten()
+                        .is_some_and(|seen| seen.sign.accepts())
+                    {
+                        self.normal.way = Some(way);
+                    }
+                }
+                self.ask_forms(&OF_ACCEPTED)
+            }
+            Symptom::Value | Symptom::Missing => {
+                self.ask_forms(&OF_VALUES)?;
+                if self.normal.way.is_none() && self.is_as_with_lreals() {
+                    self.normal.way = Some("REAL with the precision of an LREAL");
+                }
+                Ok(())
+            }
             Symptom::Fault(_) => self.ask_forms(&OF_FAULTS),
             _ => Ok(()),
         }
+    }
+
+    /// Returns whether all that is wrong is what it would be if the variables of type REAL were LREALs.
+    fn is_as_with_lreals(&self) -> bool {
+        let Normal {
+            program, deviation, ..
+        } = &self.normal;
+        let wider = with_types(program, &[("REAL", "LREAL")]);
+        let case =
+            has_word(program, "REAL").then(|| as_the_reference(self.case, &wider, &self.observe(&wider)));
+        let Some(case) = case.flatten() else {
+            return false;
+        };
+        let is_it = |name: &str, got: &Value| {
+            let mut values = case.expectation.values.iter();
+            let wide = values.find(|one| *one.name == *name).map(|one| &one.value);
+            match wide.and_then(Value::real).zip(got.real()) {
+                Some((wide, real)) if got.type_name() == "REAL" => f64::from(wide as f32) == real,
+                Some((wide, real)) => wide == real,
+                None => wide == Some(got),
+            }
+        };
+        let mut wrong = wrong_values(&deviation.expected, &deviation.got).peekable();
+        wrong.peek().is_some() && wrong.all(|(name, (_, got))| is_it(name, got))
     }
 
     /// Asks for forms of the program, in their order: the first that is right says how the engine does the operation.
@@ -147,7 +203,13 @@ impl NormalSearch<'_, '_> {
     /// not.
     pub(super) fn single_bytes(&mut self) -> Result<(), EngineError> {
         if self.ask_form(ways::with_single_bytes)? == Some(None) {
-            self.normal.way = Some("double-byte text as an operand");
+            let calls = read(&self.normal.program, |program| {
+                program.parts.iter().any(|part| program.call(part.id).is_some())
+            });
+            self.normal.way = Some(match calls {
+                true => "double-byte text as an argument",
+                false => "double-byte text as an operand",
+            });
         }
         Ok(())
     }
@@ -162,7 +224,10 @@ impl NormalSearch<'_, '_> {
                 true => "text literal as an operand",
                 false => "truth literal as an operand",
             };
-            self.normal.way = seen.is_none().then_some(way).or(self.normal.way);
+            // A comparison in the place of a truth value is no literal.
+            let is_literal = seen.is_none()
+                && (has_text || !matches!(self.ask_form(ways::with_comparisons)?, Some(Some(_))));
+            self.normal.way = is_literal.then_some(way).or(self.normal.way);
             // A literal may be at fault beside what it is an operand of.
             if let Some((deviation, case)) = seen
                 .filter(|seen| is_same(&self.normal.deviation, seen))

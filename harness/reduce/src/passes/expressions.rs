@@ -97,6 +97,10 @@ pub(crate) fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
                 &view.text()[view.range_of_expression(operand)],
             ));
         }
+        // A value of an enumeration may need no name before it.
+        if let (ExpressionKind::Field { field, .. }, 1) = (&whole.kind, which) {
+            changes.push(Edits::replacing(whole.span, field.text));
+        }
     }
     view.only_allowed(changes)
 }
