@@ -15,6 +15,7 @@ use flate2::write::GzEncoder;
 pub(crate) use record::LogLine;
 use record::{AskedCase, CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -65,8 +66,8 @@ impl Encoder {
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
                 if is_new {
-                    let group = GroupLine::new(number, self.groups.of_number(number));
-                    push_line(&mut self.lines, &RunLine::Group(group))?;
+                    let group = Cow::Borrowed(self.groups.of_number(number));
+                    push_line(&mut self.lines, &RunLine::Group(GroupLine { number, group }))?;
                 }
                 match PassedLine::of(case, number) {
                     Some(passed) => push_line(&mut self.lines, &passed)?,

@@ -99,7 +99,16 @@ fn open<R: BufRead>(
                 other.name
             ));
         } else {
-            streams.push(PartReader::new(name, reader, shard, header));
+            streams.push(PartReader {
+                name,
+                reader,
+                shard,
+                header,
+                case: None,
+                causes: Vec::new(),
+                footer: None,
+                trouble: None,
+            });
         }
     }
     streams.sort_by_key(|stream| stream.shard.index());
@@ -139,19 +148,6 @@ impl<R> PartReader<R> {
 }
 
 impl<R: BufRead> PartReader<R> {
-    fn new(name: String, reader: Reader<R>, shard: Shard, header: Header) -> PartReader<R> {
-        PartReader {
-            name,
-            reader,
-            shard,
-            header,
-            case: None,
-            causes: Vec::new(),
-            footer: None,
-            trouble: None,
-        }
-    }
-
     /// Reads the next case, or to the end.
     fn advance(&mut self) {
         let name = format!("part {} ({})", self.shard, self.name);
