@@ -216,7 +216,7 @@ impl Decoder {
             "group" => {
                 let record: GroupLine<'_> = serde_json::from_slice(line).map_err(broken)?;
                 if record.number != self.groups.len() {
-                    return Err(LogError::Reference { line: number });
+                    return Err(LogError::Reference(number));
                 }
                 self.groups.push(record.group.into_owned());
                 Ok(None)
@@ -237,7 +237,7 @@ impl Decoder {
         asked: Option<AskedCase>,
         number: u64,
     ) -> Result<Option<Event>, LogError> {
-        let unknown = LogError::Reference { line: number };
+        let unknown = LogError::Reference(number);
         let (Some(group), Some(asked)) = (self.groups.get(record.group), asked) else {
             return Err(unknown);
         };
