@@ -230,18 +230,12 @@ impl Finding {
 
     /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
     pub fn subject(&self) -> &str {
-        match &self.engine {
-            Some(engine) => &engine.name,
-            None => &self.target,
-        }
+        self.engine.as_ref().map_or(&self.target, |engine| &engine.name)
     }
 
     /// Returns the unit of the sizes: lines of a program, or bytes where the input is none.
     pub fn unit(&self) -> &'static str {
-        match self.program {
-            Some(_) => "lines",
-            None => "bytes",
-        }
+        self.program.as_ref().map_or("bytes", |_| "lines")
     }
 
     /// Returns the fuzz target, if one found it and this version of Stickler has it.

@@ -147,10 +147,7 @@ impl Dialects {
     /// # Errors
     /// A message that lists the names there are.
     pub fn resolve(&self, names: &str) -> Result<Vec<DialectName>, String> {
-        let (named, but) = match names.split_once(" but ") {
-            Some((named, but)) => (named, but),
-            None => (names, ""),
-        };
+        let (named, but) = names.split_once(" but ").unwrap_or((names, ""));
         let mut found = self.of_names(named)?;
         let others = self.of_names(but)?;
         found.retain(|dialect| !others.contains(dialect));
