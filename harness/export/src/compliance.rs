@@ -373,13 +373,13 @@ impl Section {
     fn markdown(&self) -> String {
         let mut text = format!("\n## {}\n\n", markdown_text(self.title.trim_end_matches(": ")));
         if !self.text.is_empty() {
-            text.push_str(&format!("{}\n\n", self.text));
+            text += &format!("{}\n\n", self.text);
         }
-        text.push_str(&format!(
+        text += &format!(
             "| {} |\n|{}\n",
             self.head.join(" | "),
             "---|".repeat(self.head.len())
-        ));
+        );
         for row in &self.rows {
             let code = |piece: &str| format!("`{}`", piece.replace('|', "\\|"));
             let cells: Vec<String> = row

@@ -80,16 +80,16 @@ fn heading(overview: &Overview) -> String {
             header.started
         ));
         if let Some(shard) = &header.shard {
-            text.push_str(&format!(", part {shard} of the suite"));
+            text += &format!(", part {shard} of the suite");
         }
     }
     if let Some(footer) = &overview.footer {
-        text.push_str(&format!(", in {}", took(footer)));
+        text += &format!(", in {}", took(footer));
     }
     text.push_str(".\n\n");
     let dialects = overview.header.iter().flat_map(|header| &header.defined);
     for line in dialects.take(50).flat_map(defined) {
-        text.push_str(&format!("- {}\n", inline(&line)));
+        text += &format!("- {}\n", inline(&line));
     }
     for broken in overview
         .header
@@ -97,10 +97,10 @@ fn heading(overview: &Overview) -> String {
         .flat_map(|header| &header.broken_files)
         .take(50)
     {
-        text.push_str(&format!("- **broken case file** {}\n", inline(broken)));
+        text += &format!("- **broken case file** {}\n", inline(broken));
     }
     for entry in overview.outdated().take(50) {
-        text.push_str(&format!("- **out of date** {}\n", inline(&outdated(entry))));
+        text += &format!("- **out of date** {}\n", inline(&outdated(entry)));
     }
     text
 }
@@ -172,9 +172,7 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
-        page.text.push_str(&format!(
-            "\n... and {rest} more; `events.jsonl.gz` has them all.\n"
-        ));
+        page.text += &format!("\n... and {rest} more; `events.jsonl.gz` has them all.\n");
     }
 }
 

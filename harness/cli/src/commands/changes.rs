@@ -148,12 +148,10 @@ fn page(old: &Suite, new: &Suite) -> String {
     let [before, now] = [old, new].map(|suite| counted(suite.cases.len() as u64, "case", "cases"));
     let more = counted(claims.difference(&claimed).count() as u64, "claim", "claims");
     let fewer = claimed.difference(&claims).count();
-    text.push_str(&format!(
-        "{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|\n"
-    ));
+    text += &format!("{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|\n");
     let of = |change: Change| changes.iter().filter(move |changed| changed.change == change);
     for (change, title, ..) in TABLES {
-        text.push_str(&format!("| {title} | {} |\n", grouped(of(change).count() as u64)));
+        text += &format!("| {title} | {} |\n", grouped(of(change).count() as u64));
     }
     push_withdrawn(&mut text, new, of(Change::Withdrawn));
     let is_new = |changed: &&Changed<'_>| !claimed.contains(&*changed.new.basis);
@@ -204,19 +202,14 @@ fn push_table<'a>(
     for (at, (row, (number, example))) in groups.iter().take(MAX_ROWS).enumerate() {
         if at == 0 {
             let rule = "---|".repeat(columns.split('|').count() + 2);
-            text.push_str(&format!(
-                "\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}\n"
-            ));
+            *text += &format!("\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}\n");
         }
-        text.push_str(&format!("| {row} | {} | `{example}` |\n", grouped(*number)));
+        *text += &format!("| {row} | {} | `{example}` |\n", grouped(*number));
     }
     let rest = groups.iter().skip(MAX_ROWS).map(|(_, (number, _))| number);
     let (rows, cases) = (rest.clone().count(), rest.sum());
     if rows > 0 {
-        text.push_str(&format!(
-            "\nAnd {rows} more with {}.\n",
-            counted(cases, "case", "cases")
-        ));
+        *text += &format!("\nAnd {rows} more with {}.\n", counted(cases, "case", "cases"));
     }
 }
 
