@@ -148,10 +148,7 @@ impl Comparison {
     ///
     /// # Errors
     /// [`ComparisonError`] where one of the runs is incomplete, or they have no engine in common.
-    pub fn of(
-        mut old: Reader<impl BufRead>,
-        mut new: Reader<impl BufRead>,
-    ) -> Result<Comparison, ComparisonError> {
+    pub fn of(mut old: Reader<impl BufRead>, mut new: Reader<impl BufRead>) -> Result<Self, ComparisonError> {
         let headers = (
             old.header().map_err(ComparisonError::Old)?,
             new.header().map_err(ComparisonError::New)?,

@@ -22,11 +22,7 @@ pub(super) struct Curve {
 
 impl Curve {
     /// Returns the curve of a function in its dialects; `None` where a table shows as much, as of texts and of what always fits.
-    pub(super) fn of(
-        signature: &Signature,
-        dialects: &[DialectName],
-        words: &mut WordTable,
-    ) -> Option<Curve> {
+    pub(super) fn of(signature: &Signature, dialects: &[DialectName], words: &mut WordTable) -> Option<Self> {
         let axis = axis(signature)?;
         let mut rules = Vec::new();
         let mut of = Vec::with_capacity(dialects.len());
