@@ -8,7 +8,7 @@ use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_reduce::{Reduction, StopReason};
 use stickler_run::Observed;
-use stickler_types::{DialectName, Fnv1a};
+use stickler_types::{DialectName, Fnv1a, join};
 
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
@@ -295,8 +295,7 @@ fn fingerprint(program: Option<&str>, input: &[u8]) -> String {
 /// Lower-case letters, digits and hyphens alone, so that any file system takes it.
 fn file_name(name: &str) -> String {
     let words = name.split(|character: char| !character.is_ascii_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    words.join("-").to_ascii_lowercase()
+    join(words.filter(|word| !word.is_empty()), "-").to_ascii_lowercase()
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use stickler_exact::Signature;
 use stickler_report::{html_page, html_text, markdown_text};
 use stickler_run::RunError;
 use stickler_suite::{Feature, SourceKind, Suite};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, join};
 use stickler_workers::WorkerPool;
 
 /// The system, the tables and the engine that a compliance statement is about.
@@ -382,11 +382,8 @@ impl Section {
         );
         for row in &self.rows {
             let code = |piece: &str| format!("`{}`", piece.replace('|', "\\|"));
-            let cells: Vec<String> = row
-                .iter()
-                .map(|cell| with_code(cell, markdown_text, code))
-                .collect();
-            text.push_str(&format!("| {} |\n", cells.join(" | ")));
+            let cells = row.iter().map(|cell| with_code(cell, markdown_text, code));
+            text += &format!("| {} |\n", join(cells, " | "));
         }
         text
     }

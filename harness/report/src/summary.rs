@@ -12,8 +12,8 @@ use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
 use crate::{compared, diff, overview};
-use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
-use stickler_types::{counted, grouped};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, EngineHeader, Totals};
+use stickler_types::{counted, grouped, join};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
 const MAX_BYTES: usize = 900_000;
@@ -68,17 +68,10 @@ fn heading(overview: &Overview) -> String {
     let lacking = lacking(overview).map_or(String::new(), |lacking| format!(", and {lacking}"));
     let mut text = format!("# Stickler: {verdict}{lacking}\n\n");
     if let Some(header) = &overview.header {
-        let engines: Vec<String> = header
-            .engines
-            .iter()
-            .map(|engine| format!("{} {}{}", engine.name, engine.version, judged(engine.strict)))
-            .collect();
-        text.push_str(&format!(
-            "Suite {} on {}, {}",
-            header.suite,
-            engines.join(", "),
-            header.started
-        ));
+        let described =
+            |engine: &EngineHeader| format!("{} {}{}", engine.name, engine.version, judged(engine.strict));
+        let engines = join(header.engines.iter().map(described), ", ");
+        text += &format!("Suite {} on {engines}, {}", header.suite, header.started);
         if let Some(shard) = &header.shard {
             text += &format!(", part {shard} of the suite");
         }

@@ -12,7 +12,7 @@ use std::path::Path;
 use stickler_report::basis::Basis;
 use stickler_run::{Fact, clip_line, expected_facts};
 use stickler_suite::{Case, Change, Changed, Dialects, Suite};
-use stickler_types::{counted, grouped};
+use stickler_types::{counted, grouped, join};
 
 /// The maximum number of rows of a table: the largest groups of cases.
 const MAX_ROWS: usize = 16;
@@ -133,8 +133,7 @@ fn with_part(file: &str, part: &str) -> String {
     let head = parts.remove(0);
     parts.retain(|other| other.lines().next() != part.lines().next());
     let parts = [head, part.to_owned()].into_iter().chain(parts);
-    let parts: Vec<String> = parts.map(|part| format!("{}\n", part.trim())).collect();
-    parts.join("\n")
+    join(parts.map(|part| format!("{}\n", part.trim())), "\n")
 }
 
 fn page(old: &Suite, new: &Suite) -> String {
@@ -180,8 +179,8 @@ fn push_withdrawn<'a>(text: &mut String, suite: &Suite, cases: impl Iterator<Ite
     for (at, (entry, ids)) in entries.iter().enumerate() {
         let heading = if at == 0 { "\n### Withdrawn\n\n" } else { "" };
         let of_id = |(id, number): (&&str, &u64)| format!("`{id}` ({})", counted(*number, "case", "cases"));
-        let ids: Vec<String> = ids.iter().map(of_id).collect();
-        text.push_str(&format!("{heading}* {}, {entry}\n", ids.join(", ")));
+        let ids = join(ids.iter().map(of_id), ", ");
+        *text += &format!("{heading}* {ids}, {entry}\n");
     }
 }
 

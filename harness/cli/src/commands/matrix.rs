@@ -167,15 +167,14 @@ fn legend(engines: &[NamedEngine], recordings: &[Recording], out: &mut dyn Write
         legend.replace("{engines}", &answers).replace("{differ}", differ)
     )?;
     if engines.len() > 1 {
-        let asked: Vec<String> = engines
+        let asked = engines
             .iter()
-            .map(|named| format!(" --engine {}", shell::quote(&named.asked_for)))
-            .collect();
+            .map(|named| format!(" --engine {}", shell::quote(&named.asked_for)));
         writeln!(
             out,
             "What a conversion function gives on each: {} conversions REAL_TO_INT{}",
             shell::program(),
-            asked.concat()
+            asked.collect::<String>()
         )?;
     }
     Ok(())

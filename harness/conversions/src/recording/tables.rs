@@ -8,7 +8,7 @@ use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::slice;
 use stickler_exact::signature_of;
-use stickler_types::{DialectName, ElementaryType, Question, Value};
+use stickler_types::{DialectName, ElementaryType, Question, Value, join};
 
 /// A table of cases that was made of a section of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -186,6 +186,5 @@ fn accepted_or_not(answer: MatrixAnswer) -> PromotedAnswer {
 
 /// Returns declarations or statements on one line.
 fn one_line(text: &str) -> String {
-    let lines: Vec<&str> = text.lines().map(str::trim).collect();
-    lines.join(" ")
+    join(text.lines().map(str::trim), " ")
 }

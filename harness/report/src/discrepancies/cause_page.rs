@@ -12,7 +12,7 @@ use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
     Reproducer, Source, Verdict,
 };
-use stickler_types::{Contradiction, Relation, counted, grouped};
+use stickler_types::{Contradiction, Relation, counted, grouped, join};
 
 /// The maximum number of other claims that a page lists, those with the most cases first.
 const MAX_CLAIMS: usize = 6;
@@ -130,8 +130,7 @@ pub(crate) fn titled(title: &str) -> String {
 pub(super) fn file(number: usize, cause: &Cause) -> String {
     let title = cause.headline();
     let words = title.split(|character: char| !character.is_ascii_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let mut name = words.join("-");
+    let mut name = join(words.filter(|word| !word.is_empty()), "-");
     name.truncate(60);
     format!("{number:02}-{}.md", name.trim_end_matches('-'))
 }
@@ -365,7 +364,7 @@ fn first_lines(text: &str) -> String {
     let left = lines.count() as u64;
     let more = (left > 0).then(|| format!("… {}", counted(left, "more line", "more lines")));
     let lines = first.into_iter().map(str::to_owned).chain(more);
-    lines.collect::<Vec<_>>().join("\n")
+    join(lines, "\n")
 }
 
 /// Returns the claim with the source that makes it, as a link where that has an address of the web.
