@@ -14,25 +14,8 @@ use stickler_types::{DialectName, ElementaryType};
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exclusions(Vec<Exclusion>);
 
-/// A part of the language that programs of a dialect, or of any dialect, shall not have.
-#[derive(Clone, PartialEq, Eq, Debug)]
-struct Exclusion {
-    word: String,
-    dialect: Option<DialectName>,
-}
-
-impl Exclusion {
-    /// Reads `WORD` or `WORD@DIALECT`.
-    fn new(text: &str) -> Exclusion {
-        let parts = text.rsplit_once('@');
-        let limited = parts.and_then(|(word, dialect)| Some((word, Some(dialect.parse().ok()?))));
-        let (word, dialect) = limited.unwrap_or((text, None));
-        Exclusion {
-            word: word.to_owned(),
-            dialect,
-        }
-    }
-}
+/// The word of a part of the language, and the dialect whose programs shall not have it; of all dialects where it names none.
+type Exclusion = (String, Option<DialectName>);
 
 /// A word that names no part of the language that can be left out.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -50,9 +33,11 @@ impl Exclusions {
     /// [`UnknownWord`]: the first that stands for nothing, so that a slip does not pass for a wish that was granted.
     pub fn new(words: &[String]) -> Result<Exclusions, UnknownWord> {
         let known = |text: &String| {
-            let exclusion = Exclusion::new(text);
-            match is_known(&exclusion.word) {
-                true => Ok(exclusion),
+            let parts = text.rsplit_once('@');
+            let limited = parts.and_then(|(word, dialect)| Some((word, Some(dialect.parse().ok()?))));
+            let (word, dialect) = limited.unwrap_or((text, None));
+            match is_known(word) {
+                true => Ok((word.to_owned(), dialect)),
                 false => Err(UnknownWord(text.clone())),
             }
         };
@@ -72,9 +57,9 @@ impl Exclusions {
 
     /// Returns the words for what programs of a dialect shall not have.
     pub(crate) fn words(&self, dialect: DialectName) -> Vec<String> {
-        let applies = |exclusion: &&Exclusion| exclusion.dialect.is_none_or(|own| own == dialect);
+        let applies = |(_, limit): &&Exclusion| limit.is_none_or(|own| own == dialect);
         let own = self.0.iter().filter(applies);
-        own.map(|exclusion| exclusion.word.clone()).collect()
+        own.map(|(word, _)| word.clone()).collect()
     }
 }
 

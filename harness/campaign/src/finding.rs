@@ -8,7 +8,7 @@ use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_reduce::{Reduction, StopReason};
 use stickler_run::Observed;
-use stickler_types::{DialectName, Fnv1a};
+use stickler_types::{DialectName, Fnv1a, join};
 
 /// The version of the form in which findings are saved.
 pub const FORMAT: u32 = 1;
@@ -230,18 +230,12 @@ impl Finding {
 
     /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
     pub fn subject(&self) -> &str {
-        match &self.engine {
-            Some(engine) => &engine.name,
-            None => &self.target,
-        }
+        self.engine.as_ref().map_or(&self.target, |engine| &engine.name)
     }
 
     /// Returns the unit of the sizes: lines of a program, or bytes where the input is none.
     pub fn unit(&self) -> &'static str {
-        match self.program {
-            Some(_) => "lines",
-            None => "bytes",
-        }
+        self.program.as_ref().map_or("bytes", |_| "lines")
     }
 
     /// Returns the fuzz target, if one found it and this version of Stickler has it.
@@ -301,8 +295,7 @@ fn fingerprint(program: Option<&str>, input: &[u8]) -> String {
 /// Lower-case letters, digits and hyphens alone, so that any file system takes it.
 fn file_name(name: &str) -> String {
     let words = name.split(|character: char| !character.is_ascii_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    words.join("-").to_ascii_lowercase()
+    join(words.filter(|word| !word.is_empty()), "-").to_ascii_lowercase()
 }
 
 #[cfg(test)]

@@ -187,6 +187,11 @@ where
     })
 }
 
+/// Returns what an option that may be repeated names, or all where it names nothing.
+pub fn named_or_all<'a, T>(named: &'a [T], all: &'a [T]) -> &'a [T] {
+    if named.is_empty() { all } else { named }
+}
+
 /// The dialects that there are now: those of stickler.toml once that file was read.
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
     let shown = |dialect: DialectName| {

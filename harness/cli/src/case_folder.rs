@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
 use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite, Wanted};
-use stickler_types::{DialectName, Question, counted};
+use stickler_types::{DialectName, Question, counted, join};
 
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
@@ -397,7 +397,7 @@ fn why_nothing(plan: &Plan, suite: &Suite) -> String {
 /// Returns an option with its arguments, as it is typed.
 pub fn options<'a>(name: &str, arguments: impl Iterator<Item = &'a str>) -> String {
     let typed = arguments.map(|argument| format!("{name} {}", shell::quote(argument)));
-    typed.collect::<Vec<_>>().join(" ")
+    join(typed, " ")
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use stickler_engines::{
 };
 use stickler_export::Kind;
 use stickler_types::DialectName;
+use stickler_types::join;
 
 /// The name of the reference, the engine that is always present.
 pub const REFERENCE: &str = "reference";
@@ -174,8 +175,7 @@ pub fn source(identity: &Identity) -> String {
 
 /// Returns the names of dialects in a list.
 pub fn listed(dialects: &[DialectName]) -> String {
-    let names: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
-    names.join(", ")
+    join(dialects, ", ")
 }
 
 /// Returns the requested dialects that an engine speaks.

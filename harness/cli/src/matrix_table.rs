@@ -8,7 +8,7 @@ use std::sync::Arc;
 use stickler_conversions::implicit::MatrixAnswer;
 use stickler_conversions::recording::{Recording, pairs};
 use stickler_conversions::table::{Alignment, Cell, Table};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, TypePair, wrap_within};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, TypePair, join, wrap_within};
 
 const YES: Style = AnsiColor::Green.on_default();
 
@@ -159,8 +159,7 @@ impl DialectMatrix {
                     let differing = column.differing(&self.documents);
                     format!("{differing} differ on {}", column.engine)
                 };
-                let counts: Vec<String> = engines.iter().map(count).collect();
-                writeln!(out, ": {}", counts.join(", "))
+                writeln!(out, ": {}", join(engines.iter().map(count), ", "))
             }
         }
     }

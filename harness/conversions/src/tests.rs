@@ -16,7 +16,7 @@ use std::sync::Arc;
 use stickler_engines::Outcome;
 use stickler_exact::{Signature, signatures};
 use stickler_mdtest::{Example, check_examples};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, Value, join};
 
 fn dialects(text: &str) -> Vec<DialectName> {
     match text {
@@ -43,10 +43,6 @@ fn values(example: &Example, name: &str) -> Vec<Vec<Value>> {
         .collect()
 }
 
-fn joined(items: impl Iterator<Item = impl ToString>) -> String {
-    items.map(|item| item.to_string()).collect::<Vec<_>>().join(" ")
-}
-
 #[test]
 fn golden_functions() {
     check_examples("tests/examples/functions.md", |example| match example.wanted() {
@@ -57,7 +53,10 @@ fn golden_functions() {
             choices::write(&signature(example), &dialects, &mut bytes).unwrap();
             anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
         }
-        "boundary values" => joined(boundary_calls(&signature(example)).iter().map(|call| &call[0])),
+        "boundary values" => join(
+            boundary_calls(&signature(example)).iter().map(|call| &call[0]),
+            " ",
+        ),
         _ => find_function(
             example.text("function"),
             &dialects(example.text("dialects")),
@@ -68,8 +67,8 @@ fn golden_functions() {
             |found| {
                 format!(
                     "{}; not in {}",
-                    joined(found.having.iter()),
-                    joined(found.lacking.iter())
+                    join(found.having.iter(), " "),
+                    join(found.lacking.iter(), " ")
                 )
             },
         ),
@@ -109,10 +108,13 @@ fn golden_values() {
         "extreme" => extreme(ty(example.text("type"))).to_string(),
         "parts" => {
             let asked = all_questions(DialectName::CODESYS).into_iter();
-            joined(asked.filter_map(|question| match question {
-                Question::Part(of, part) if of == ty(example.text("type")) => Some(part),
-                _ => None,
-            }))
+            join(
+                asked.filter_map(|question| match question {
+                    Question::Part(of, part) if of == ty(example.text("type")) => Some(part),
+                    _ => None,
+                }),
+                " ",
+            )
         }
         _ => {
             let texts: Vec<String> = example
@@ -122,14 +124,13 @@ fn golden_values() {
                 .collect();
             let all = signatures(example.text("function"), dialects(example.text("dialects"))[0]);
             let shown = |(signature, calls): &(Signature, Vec<Vec<Value>>)| {
-                let operands = calls.iter().map(|call| joined(call.iter()));
-                format!(
-                    "{}: {}",
-                    signature.operands[0],
-                    operands.collect::<Vec<_>>().join("; ")
-                )
+                let operands = calls.iter().map(|call| join(call.iter(), " "));
+                format!("{}: {}", signature.operands[0], join(operands, "; "))
             };
-            calls(&texts, all).map_or_else(|error| error.to_string(), |rows| joined(rows.iter().map(shown)))
+            calls(&texts, all).map_or_else(
+                |error| error.to_string(),
+                |rows| join(rows.iter().map(shown), " "),
+            )
         }
     });
 }
@@ -234,7 +235,7 @@ fn golden_recordings() {
                         |value| value.to_string(),
                     )
                 };
-                joined(results.into_iter().map(shown))
+                join(results.into_iter().map(shown), " ")
             }
             _ => {
                 let made = read.case_tables(DialectName::CODESYS, "my-plc");
@@ -350,11 +351,11 @@ fn golden_statements() {
             Some(number) => data["words"][usize::try_from(number).unwrap()].as_str().unwrap(),
             None => "nobody",
         };
-        let words = |numbers: &serde_json::Value| joined(list(numbers).iter().map(word));
+        let words = |numbers: &serde_json::Value| join(list(numbers).iter().map(word), " ");
         let first_call = list(&data["pairs"]).len() + list(&data["parts"]).len();
         if example.wanted() == "boundaries" {
             let number = usize::try_from(data["functions"][0]["boundaries"].as_u64().unwrap()).unwrap();
-            return joined(list(&data["calls"]["operands"])[..number].iter().map(words));
+            return join(list(&data["calls"]["operands"])[..number].iter().map(words), " ");
         }
         let stated = [list(&data["pairs"]), list(&data["parts"])].concat();
         let shown = |line: &str| {
@@ -387,12 +388,7 @@ fn golden_statements() {
                 bases.join(", ")
             )
         };
-        example
-            .text("cases")
-            .lines()
-            .map(shown)
-            .collect::<Vec<_>>()
-            .join("\n")
+        join(example.text("cases").lines().map(shown), "\n")
     });
 }
 

@@ -1,7 +1,7 @@
 //! The signature of a conversion: the function's name, its types, and its operation; and the pairs of types that have one.
 
 use std::fmt;
-use stickler_types::{ConversionChoices, ElementaryType, Family, Rounding, Value};
+use stickler_types::{ConversionChoices, ElementaryType, Family, Rounding, Value, join};
 
 /// One conversion function together with the types of its arguments and of its result.
 ///
@@ -29,8 +29,8 @@ impl Signature {
 /// Writes the function with its types, as recordings and pages name it: `REAL_TO_INT(REAL) : INT`.
 impl fmt::Display for Signature {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let operands: Vec<&str> = self.operands.iter().map(|ty| ty.name()).collect();
-        write!(f, "{}({}) : {}", self.function, operands.join(", "), self.result)
+        let operands = join(self.operands.iter().map(|ty| ty.name()), ", ");
+        write!(f, "{}({operands}) : {}", self.function, self.result)
     }
 }
 

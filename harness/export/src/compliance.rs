@@ -18,7 +18,7 @@ use stickler_exact::Signature;
 use stickler_report::{html_page, html_text, markdown_text};
 use stickler_run::RunError;
 use stickler_suite::{Feature, SourceKind, Suite};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, join};
 use stickler_workers::WorkerPool;
 
 /// The system, the tables and the engine that a compliance statement is about.
@@ -373,20 +373,17 @@ impl Section {
     fn markdown(&self) -> String {
         let mut text = format!("\n## {}\n\n", markdown_text(self.title.trim_end_matches(": ")));
         if !self.text.is_empty() {
-            text.push_str(&format!("{}\n\n", self.text));
+            text += &format!("{}\n\n", self.text);
         }
-        text.push_str(&format!(
+        text += &format!(
             "| {} |\n|{}\n",
             self.head.join(" | "),
             "---|".repeat(self.head.len())
-        ));
+        );
         for row in &self.rows {
             let code = |piece: &str| format!("`{}`", piece.replace('|', "\\|"));
-            let cells: Vec<String> = row
-                .iter()
-                .map(|cell| with_code(cell, markdown_text, code))
-                .collect();
-            text.push_str(&format!("| {} |\n", cells.join(" | ")));
+            let cells = row.iter().map(|cell| with_code(cell, markdown_text, code));
+            text += &format!("| {} |\n", join(cells, " | "));
         }
         text
     }

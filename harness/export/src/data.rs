@@ -43,11 +43,7 @@ pub struct SupportData<'a> {
 
 impl<'a> SupportData<'a> {
     /// Collects the data of the dialects of a table of statements.
-    pub fn gather(
-        suite: &'a Suite,
-        statements: &'a StatementsBuilder,
-        recordings: &[Recording],
-    ) -> SupportData<'a> {
+    pub fn gather(suite: &'a Suite, statements: &'a StatementsBuilder, recordings: &[Recording]) -> Self {
         let dialects = statements.dialects();
         let mut data = SupportData {
             version: &suite.version,

@@ -40,7 +40,7 @@ pub(crate) fn statements(ty: ElementaryType, margin: &str) -> String {
     };
     let mut text = String::with_capacity(lines.len() * 2);
     for line in lines.lines() {
-        text.push_str(&format!("{margin}{line}\n"));
+        text += &format!("{margin}{line}\n");
     }
     text
 }
@@ -67,10 +67,10 @@ fn integer(ty: ElementaryType) -> String {
         let weight = 1_u64 << bit;
         let lowest = lowest_of_piece(bit, bits);
         let place = 1_u64 << (bit - lowest);
-        text.push_str(&format!(
+        text += &format!(
             "IF {variable} >= {name}#{weight} THEN {variable} := {variable} - {name}#{weight}; stickler_sum := stickler_sum + \
              {place}; END_IF;\n"
-        ));
+        );
         write_piece(&mut text, bit, bits);
     }
     text
@@ -88,10 +88,7 @@ fn write_piece(text: &mut String, bit: u32, bits: u32) {
     }
     let pieces = if bits <= 16 { 1 } else { bits.div_ceil(24) };
     let number = pieces - bit / 24 - 1;
-    text.push_str(&format!(
-        "results[stickler_place + {}] := stickler_sum;\n",
-        2 + number
-    ));
+    *text += &format!("results[stickler_place + {}] := stickler_sum;\n", 2 + number);
     if bit > 0 {
         text.push_str("stickler_sum := 0;\n");
     }
@@ -104,11 +101,11 @@ fn bit_string(ty: ElementaryType) -> String {
     let mut text = "stickler_sum := 0;\n".to_owned();
     for bit in (0..bits).rev() {
         let place = 1_u64 << (bit - lowest_of_piece(bit, bits));
-        text.push_str(&format!(
+        text += &format!(
             "IF ({variable} AND {name}#16#{:0width$X}) <> {name}#16#{:0width$X} THEN stickler_sum := stickler_sum + {place}; END_IF;\n",
             1_u64 << bit,
             0
-        ));
+        );
         write_piece(&mut text, bit, bits);
     }
     text

@@ -165,7 +165,7 @@ impl<'c, 'r> PageText<'c, 'r> {
             let parts = &ready.parts;
             let mut key = parts.units.clone();
             if declares_in_place(ready) {
-                key.push_str(&format!("\n{number}"));
+                key += &format!("\n{number}");
             }
             let next = known.len() + 1;
             let unit = *known.entry(key).or_insert(next);
@@ -199,7 +199,7 @@ impl<'c, 'r> PageText<'c, 'r> {
     fn write_declarations(&mut self, suffixes: &[String]) {
         let mut text = std::mem::take(&mut self.declarations);
         for ty in self.types() {
-            text.push_str(&format!("    {}\n", encode::declarations(ty)));
+            text += &format!("    {}\n", encode::declarations(ty));
         }
         text.push_str("END_VAR\n");
         self.write_variables(&mut text, suffixes);
@@ -222,9 +222,9 @@ impl<'c, 'r> PageText<'c, 'r> {
                     continue;
                 }
                 let before = section.matches('\n').count();
-                section.push_str(&format!("    (* {}: {} *)\n", case + 1, shown(&ready.case.id)));
+                section += &format!("    (* {}: {} *)\n", case + 1, shown(&ready.case.id));
                 for part in parts {
-                    section.push_str(&format!("{}\n", renaming.of(&part.text)));
+                    section += &format!("{}\n", renaming.of(&part.text));
                 }
                 let after = section.matches('\n').count();
                 self.lines[case].push((line + before, line + after - 1));
@@ -260,15 +260,11 @@ impl<'c, 'r> PageText<'c, 'r> {
             let ready = &self.cases[step.case];
             let is_first = number == 0 || self.steps[number - 1].case != step.case;
             if is_first {
-                text.push_str(&format!(
-                    "        (* {}: {} *)\n",
-                    step.case + 1,
-                    shown(&ready.case.id)
-                ));
+                text += &format!("        (* {}: {} *)\n", step.case + 1, shown(&ready.case.id));
             }
-            text.push_str(&format!("        {}:\n", number + 1));
+            text += &format!("        {}:\n", number + 1);
             if is_first && !ready.parts.statements.is_empty() {
-                text.push_str(&format!("    {}\n", renaming.of(&ready.parts.statements)));
+                text += &format!("    {}\n", renaming.of(&ready.parts.statements));
             }
             write_readout(&mut text, ready, step, &renaming, &kinds);
             self.lines[step.case].push((first, declarations + text.matches('\n').count()));
@@ -329,20 +325,20 @@ fn write_readout(
         let name = renaming.of(&ready.case.observe[observe].name);
         if let Some(literal) = expected(ready.case, observe).and_then(|expected| literal(&expected.value)) {
             let literal = renaming.of(&literal);
-            text.push_str(&format!(
+            *text += &format!(
                 "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;\n"
-            ));
+            );
         }
         if let Some(ty) = step.encoded(ready) {
             let kind = kinds
                 .iter()
                 .position(|kind| *kind == ty)
                 .map_or(0, |kind| kind + 1);
-            text.push_str(&format!("{MARGIN}{} := {name};\n", encode::variable(ty)));
-            text.push_str(&format!("{MARGIN}stickler_kind := {kind};\n"));
+            *text += &format!("{MARGIN}{} := {name};\n", encode::variable(ty));
+            *text += &format!("{MARGIN}stickler_kind := {kind};\n");
         }
     }
-    text.push_str(&format!("{MARGIN}stickler_place := {};\n", step.place));
+    *text += &format!("{MARGIN}stickler_place := {};\n", step.place);
 }
 
 /// Returns the literal of a value for a comparison; `None` where it has no literal.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
 use stickler_run::{CaseEvent, CaseJudge, Event, Fact, Plan, Verdict};
 use stickler_suite::{Acceptance, Case, Suite, load_file};
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, Value, join};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
 const FILES: [&str; 14] = [
@@ -244,6 +244,5 @@ fn table(array: &[i32]) -> String {
 }
 
 fn numbers(array: &[i32]) -> String {
-    let numbers: Vec<String> = array.iter().map(ToString::to_string).collect();
-    format!("[{}]\n", numbers.join(", "))
+    format!("[{}]\n", join(array, ", "))
 }

@@ -152,9 +152,7 @@ pub fn table(mutants: &[JudgedMutant], by_file: bool) -> String {
         .iter()
         .filter(|mutant| mutant.outcome.fate == MutantFate::Unviable)
         .count();
-    text.push_str(&format!(
-        "\n{unviable} more do not compile and are not counted.\n"
-    ));
+    text += &format!("\n{unviable} more do not compile and are not counted.\n");
     text
 }
 

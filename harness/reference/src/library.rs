@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::features::standard_block;
-use stickler_types::{Code, Dialect, ElementaryType};
+use stickler_types::{Code, Dialect, ElementaryType, join};
 
 const TEXTS: [&str; 5] = [
     include_str!("../library/bistable.st"),
@@ -150,8 +150,7 @@ fn long_function(name: &str) -> Option<String> {
         "LTIME" | "LDATE" | "LTOD" | "LDT" => word[1..].to_owned(),
         word => word.to_owned(),
     };
-    let words: Vec<String> = name.split('_').map(short).collect();
-    let text = written(&words.join("_"))?.to_owned();
+    let text = written(&join(name.split('_').map(short), "_"))?.to_owned();
     let types = ["TIME", "DATE", "TOD", "DT"].into_iter();
     Some(types.fold(text, |text, ty| text.replace(ty, &format!("L{ty}"))))
 }

@@ -6,6 +6,7 @@ use crate::claims::Standing;
 use crate::overview::Overview;
 use serde_json::{Value, json};
 use stickler_types::counted;
+use stickler_types::join;
 
 /// Returns the content of the file.
 ///
@@ -25,10 +26,8 @@ fn endpoint(overview: &Overview) -> Value {
         [standing] => single_engine(standing),
         _ => {
             let each = engines.iter().zip(&standings);
-            let each: Vec<String> = each
-                .map(|(engine, standing)| format!("{engine} {}", share(*standing)))
-                .collect();
-            each.join(", ")
+            let each = each.map(|(engine, standing)| format!("{engine} {}", share(*standing)));
+            join(each, ", ")
         }
     };
     let worst = standings.iter().filter_map(|standing| standing.per_mille()).min();

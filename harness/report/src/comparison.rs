@@ -15,6 +15,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
+use stickler_types::join;
 use stickler_types::words;
 
 /// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
@@ -148,10 +149,7 @@ impl Comparison {
     ///
     /// # Errors
     /// [`ComparisonError`] where one of the runs is incomplete, or they have no engine in common.
-    pub fn of(
-        mut old: Reader<impl BufRead>,
-        mut new: Reader<impl BufRead>,
-    ) -> Result<Comparison, ComparisonError> {
+    pub fn of(mut old: Reader<impl BufRead>, mut new: Reader<impl BufRead>) -> Result<Self, ComparisonError> {
         let headers = (
             old.header().map_err(ComparisonError::Old)?,
             new.header().map_err(ComparisonError::New)?,
@@ -309,10 +307,7 @@ fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, Comparison
         .map(|name| (name.clone(), name.clone()))
         .collect();
     if pairs.is_empty() {
-        let list = |header: &Header| {
-            let names: Vec<&str> = header.engines.iter().map(|engine| engine.name.as_str()).collect();
-            names.join(", ")
-        };
+        let list = |header: &Header| join(header.engines.iter().map(|engine| &engine.name), ", ");
         return Err(ComparisonError::NoEngine {
             old: list(old),
             new: list(new),

@@ -66,49 +66,32 @@ pub enum LogError {
         /// The error of parsing the line.
         source: serde_json::Error,
     },
-    /// A case refers to a group that was not described, or leaves out what it asks although no case before it asked anything.
-    #[error("line {line} of the event log refers to what no line before it describes")]
-    Reference {
-        /// The number of the line, from 1.
-        line: u64,
-    },
-    /// A line follows the footer, or is a second header.
-    #[error("line {line} of the event log stands outside its header and footer")]
-    Misplaced {
-        /// The number of the line, from 1.
-        line: u64,
-    },
-    /// The log has a later version of the format.
+    /// A case, on the line of this number from 1, refers to a group that was not described, or leaves out what it asks although no
+    /// case before it asked anything.
+    #[error("line {0} of the event log refers to what no line before it describes")]
+    Reference(u64),
+    /// The line of this number, from 1, follows the footer, or is a second header.
+    #[error("line {0} of the event log stands outside its header and footer")]
+    Misplaced(u64),
+    /// The log has this later version of the format.
     #[error(
-        "the event log has format {format}, which a later version of Stickler wrote; this one reads format {FORMAT}"
+        "the event log has format {0}, which a later version of Stickler wrote; this one reads format {FORMAT}"
     )]
-    Later {
-        /// The version of the log's format.
-        format: u32,
-    },
-    /// The log has an earlier version of the format.
+    Later(u32),
+    /// The log has this earlier version of the format.
     #[error(
-        "the event log has format {format}, which an earlier version of Stickler wrote; this one reads format {FORMAT}: run the \
+        "the event log has format {0}, which an earlier version of Stickler wrote; this one reads format {FORMAT}: run the \
          cases again with this version"
     )]
-    Earlier {
-        /// The version of the log's format.
-        format: u32,
-    },
-    /// The file is a `results.json`.
+    Earlier(u32),
+    /// The file is a `results.json` of this version of its format.
     #[error(
-        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl.gz beside it"
+        "this is a results.json of format {0} and no event log; name its folder, or the events.jsonl.gz beside it"
     )]
-    Results {
-        /// The version of the format of that file.
-        format: u32,
-    },
-    /// The log has no footer.
-    #[error("the run was cut short after {cases} cases: its event log has no footer")]
-    Truncated {
-        /// The number of cases in the log.
-        cases: u64,
-    },
+    Results(u32),
+    /// The log has this many cases and no footer.
+    #[error("the run was cut short after {0} cases: its event log has no footer")]
+    Truncated(u64),
     /// Lines of the log contradict each other, though each is as the schema says.
     #[error("line {line} of the event log: expected {expected}, found {found}")]
     Contradiction {

@@ -15,6 +15,7 @@ use flate2::write::GzEncoder;
 pub(crate) use record::LogLine;
 use record::{AskedCase, CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -65,8 +66,8 @@ impl Encoder {
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
                 if is_new {
-                    let group = GroupLine::new(number, self.groups.of_number(number));
-                    push_line(&mut self.lines, &RunLine::Group(group))?;
+                    let group = Cow::Borrowed(self.groups.of_number(number));
+                    push_line(&mut self.lines, &RunLine::Group(GroupLine { number, group }))?;
                 }
                 match PassedLine::of(case, number) {
                     Some(passed) => push_line(&mut self.lines, &passed)?,
@@ -217,7 +218,7 @@ impl<R: BufRead> Reader<R> {
     pub const fn check_complete(&self) -> Result<(), LogError> {
         match self.complete {
             true => Ok(()),
-            false => Err(LogError::Truncated { cases: self.cases }),
+            false => Err(LogError::Truncated(self.cases)),
         }
     }
 
@@ -256,8 +257,8 @@ impl<R: BufRead> Reader<R> {
             check_format(&self.line)?;
         }
         match self.decoder.event(&self.line, line) {
-            Ok(_) if self.complete => Err(LogError::Misplaced { line }),
-            Ok(Some(Event::Header(_))) if line > 1 => Err(LogError::Misplaced { line }),
+            Ok(_) if self.complete => Err(LogError::Misplaced(line)),
+            Ok(Some(Event::Header(_))) if line > 1 => Err(LogError::Misplaced(line)),
             Ok(Some(Event::Case(_) | Event::Cause(_) | Event::Footer(_)) | None) if line == 1 => {
                 Err(LogError::NoHeader(None))
             }
@@ -312,12 +313,12 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
         let format = digits.fold(0, |number: u32, digit| {
             number.saturating_mul(10).saturating_add(u32::from(digit - b'0'))
         });
-        return Err(LogError::Results { format });
+        return Err(LogError::Results(format));
     }
     // A line that is no header at all is reported when it is parsed.
     match serde_json::from_slice::<FormatVersion>(line) {
-        Ok(FormatVersion { format }) if format < FORMAT => Err(LogError::Earlier { format }),
-        Ok(FormatVersion { format }) if format > FORMAT => Err(LogError::Later { format }),
+        Ok(FormatVersion { format }) if format < FORMAT => Err(LogError::Earlier(format)),
+        Ok(FormatVersion { format }) if format > FORMAT => Err(LogError::Later(format)),
         _ => Ok(()),
     }
 }
@@ -331,9 +332,7 @@ pub fn recognize(file: &[u8]) -> Option<String> {
         check_format(&line),
         serde_json::from_slice::<FormatVersion>(&line),
     ) {
-        (Err(LogError::Results { format }), _) => {
-            Some(format!("the results.json of a run, of format {format}"))
-        }
+        (Err(LogError::Results(format)), _) => Some(format!("the results.json of a run, of format {format}")),
         (_, Ok(FormatVersion { format })) => Some(format!("the event log of a run, of format {format}")),
         _ => None,
     }

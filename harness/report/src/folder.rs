@@ -53,11 +53,7 @@ impl Reports {
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
-    pub fn create(
-        folder: Option<&Path>,
-        statements: Statements,
-        prose: bool,
-    ) -> Result<Reports, ReportError> {
+    pub fn create(folder: Option<&Path>, statements: Statements, prose: bool) -> Result<Self, ReportError> {
         let files = folder.map(|folder| ReportFiles::create(folder, statements, prose));
         Ok(Reports {
             overview: Overview::default(),

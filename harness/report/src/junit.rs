@@ -210,11 +210,7 @@ fn claims(overview: &Overview) -> TestSuite {
             standing.passed, standing.failed, standing.open, standing.unsupported, standing.waiting
         );
         if let Some(source) = overview.source(claim.source) {
-            output.push_str(&format!(
-                "\n{}: {}",
-                source.kind,
-                source.address_of(claim.section)
-            ));
+            output += &format!("\n{}: {}", source.kind, source.address_of(claim.section));
         }
         let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
         let status = match (standing.failed, standing.unexpected()) {
@@ -273,10 +269,10 @@ fn outdated_entries(overview: &Overview) -> Option<TestSuite> {
 fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
     let mut name = claim.source.to_owned();
     if !claim.section.is_empty() {
-        name.push_str(&format!(": {}", claim.section));
+        name += &format!(": {}", claim.section);
     }
     if name_engine {
-        name.push_str(&format!(" ({})", claim.engine));
+        name += &format!(" ({})", claim.engine);
     }
     name
 }

@@ -7,6 +7,7 @@ use crate::LogError;
 use crate::events::Reader;
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Cause, EngineHeader, EngineTotals, Event, Footer, Header};
+use stickler_types::join;
 use stickler_workers::Shard;
 
 /// The event log of one part of a run, with the name that messages use for it.
@@ -99,7 +100,16 @@ fn open<R: BufRead>(
                 other.name
             ));
         } else {
-            streams.push(PartReader::new(name, reader, shard, header));
+            streams.push(PartReader {
+                name,
+                reader,
+                shard,
+                header,
+                case: None,
+                causes: Vec::new(),
+                footer: None,
+                trouble: None,
+            });
         }
     }
     streams.sort_by_key(|stream| stream.shard.index());
@@ -112,8 +122,7 @@ fn open<R: BufRead>(
 /// Formats an error and its causes in one line.
 pub(crate) fn describe_error(error: &dyn std::error::Error) -> String {
     let causes = std::iter::successors(Some(error), |error| error.source());
-    let causes: Vec<String> = causes.map(ToString::to_string).collect();
-    causes.join(": ")
+    join(causes, ": ")
 }
 
 /// A part of a run while it is read.
@@ -139,19 +148,6 @@ impl<R> PartReader<R> {
 }
 
 impl<R: BufRead> PartReader<R> {
-    fn new(name: String, reader: Reader<R>, shard: Shard, header: Header) -> PartReader<R> {
-        PartReader {
-            name,
-            reader,
-            shard,
-            header,
-            case: None,
-            causes: Vec::new(),
-            footer: None,
-            trouble: None,
-        }
-    }
-
     /// Reads the next case, or to the end.
     fn advance(&mut self) {
         let name = format!("part {} ({})", self.shard, self.name);
@@ -289,8 +285,7 @@ fn engines(header: &Header) -> String {
             engine.dialects.join(" ")
         )
     };
-    let engines: Vec<String> = header.engines.iter().map(named).collect();
-    engines.join("; ")
+    join(header.engines.iter().map(named), "; ")
 }
 
 fn list(words: &[String]) -> String {

@@ -12,8 +12,8 @@ use crate::text::{
     MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
 use crate::{compared, diff, overview};
-use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
-use stickler_types::{counted, grouped};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, EngineHeader, Totals};
+use stickler_types::{counted, grouped, join};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
 const MAX_BYTES: usize = 900_000;
@@ -68,28 +68,21 @@ fn heading(overview: &Overview) -> String {
     let lacking = lacking(overview).map_or(String::new(), |lacking| format!(", and {lacking}"));
     let mut text = format!("# Stickler: {verdict}{lacking}\n\n");
     if let Some(header) = &overview.header {
-        let engines: Vec<String> = header
-            .engines
-            .iter()
-            .map(|engine| format!("{} {}{}", engine.name, engine.version, judged(engine.strict)))
-            .collect();
-        text.push_str(&format!(
-            "Suite {} on {}, {}",
-            header.suite,
-            engines.join(", "),
-            header.started
-        ));
+        let described =
+            |engine: &EngineHeader| format!("{} {}{}", engine.name, engine.version, judged(engine.strict));
+        let engines = join(header.engines.iter().map(described), ", ");
+        text += &format!("Suite {} on {engines}, {}", header.suite, header.started);
         if let Some(shard) = &header.shard {
-            text.push_str(&format!(", part {shard} of the suite"));
+            text += &format!(", part {shard} of the suite");
         }
     }
     if let Some(footer) = &overview.footer {
-        text.push_str(&format!(", in {}", took(footer)));
+        text += &format!(", in {}", took(footer));
     }
     text.push_str(".\n\n");
     let dialects = overview.header.iter().flat_map(|header| &header.defined);
     for line in dialects.take(50).flat_map(defined) {
-        text.push_str(&format!("- {}\n", inline(&line)));
+        text += &format!("- {}\n", inline(&line));
     }
     for broken in overview
         .header
@@ -97,10 +90,10 @@ fn heading(overview: &Overview) -> String {
         .flat_map(|header| &header.broken_files)
         .take(50)
     {
-        text.push_str(&format!("- **broken case file** {}\n", inline(broken)));
+        text += &format!("- **broken case file** {}\n", inline(broken));
     }
     for entry in overview.outdated().take(50) {
-        text.push_str(&format!("- **out of date** {}\n", inline(&outdated(entry))));
+        text += &format!("- **out of date** {}\n", inline(&outdated(entry)));
     }
     text
 }
@@ -172,9 +165,7 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
     let rest = overview.failed - tried + page.left_out;
     if rest > 0 {
         // The note is short, and the limit leaves room for it.
-        page.text.push_str(&format!(
-            "\n... and {rest} more; `events.jsonl.gz` has them all.\n"
-        ));
+        page.text += &format!("\n... and {rest} more; `events.jsonl.gz` has them all.\n");
     }
 }
 

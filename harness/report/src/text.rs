@@ -4,7 +4,7 @@
 use crate::overview::Overview;
 use std::borrow::Cow;
 use stickler_run::{BaselineNote, Footer, Grade, OutdatedEntry, Totals, Verdict, clip_line};
-use stickler_types::{counted, wrap_within};
+use stickler_types::{counted, join, wrap_within};
 
 /// The maximum number of characters that a report for people shows of a line.
 pub(crate) const MAX_SHOWN_CHARACTERS: usize = 1200;
@@ -114,10 +114,8 @@ pub(crate) fn lacking(overview: &Overview) -> Option<String> {
 pub(crate) fn verdicts(totals: &Totals, is_meant: impl Fn(Verdict) -> bool) -> String {
     let occurring = Verdict::ALL.into_iter().filter(|verdict| totals.of(*verdict) > 0);
     let counts = occurring.filter(|verdict| is_meant(*verdict));
-    let counts: Vec<String> = counts
-        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
-        .collect();
-    counts.join(", ")
+    let counts = counts.map(|verdict| format!("{} {verdict}", totals.of(verdict)));
+    join(counts, ", ")
 }
 
 /// Encodes every byte that is neither unreserved in RFC 3986 nor in `kept`.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use stickler_types::dialect_file::read_documented;
-use stickler_types::{Dialect, DialectName, sorted};
+use stickler_types::{Dialect, DialectName, join, sorted};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake, in_file};
@@ -147,10 +147,7 @@ impl Dialects {
     /// # Errors
     /// A message that lists the names there are.
     pub fn resolve(&self, names: &str) -> Result<Vec<DialectName>, String> {
-        let (named, but) = match names.split_once(" but ") {
-            Some((named, but)) => (named, but),
-            None => (names, ""),
-        };
+        let (named, but) = names.split_once(" but ").unwrap_or((names, ""));
         let mut found = self.of_names(named)?;
         let others = self.of_names(but)?;
         found.retain(|dialect| !others.contains(dialect));
@@ -182,8 +179,8 @@ impl Dialects {
         let dialects = DialectName::ALL.iter().map(|dialect| dialect.as_str());
         let groups = self.groups.keys().map(String::as_str);
         let every = (!self.groups.contains_key(EVERY)).then_some(EVERY);
-        let known: Vec<&str> = dialects.chain(every).chain(groups).collect();
-        format!("no dialect or group `{name}`; there are {}", known.join(", "))
+        let known = join(dialects.chain(every).chain(groups), ", ");
+        format!("no dialect or group `{name}`; there are {known}")
     }
 }
 

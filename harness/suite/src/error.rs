@@ -26,10 +26,9 @@ impl fmt::Display for CaseFileError {
             write!(formatter, "`{key}`: ")?;
         }
         formatter.write_str(&self.message)?;
-        match &self.hint {
-            Some(hint) => write!(formatter, " ({hint})"),
-            None => Ok(()),
-        }
+        self.hint
+            .as_ref()
+            .map_or(Ok(()), |hint| write!(formatter, " ({hint})"))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use stickler_types::join;
 
 use serde::de::DeserializeOwned;
 use walkdir::WalkDir;
@@ -157,11 +158,8 @@ impl Root {
 }
 
 fn slashes(path: &Path) -> String {
-    let parts: Vec<_> = path
-        .components()
-        .map(|part| part.as_os_str().to_string_lossy())
-        .collect();
-    parts.join("/")
+    let parts = path.components().map(|part| part.as_os_str().to_string_lossy());
+    join(parts, "/")
 }
 
 /// Returns the names of the files in a folder with this extension, without it and in their order; none where there is no such

@@ -13,17 +13,17 @@ use stickler_types::Observation;
 /// # Errors
 /// A message, if a value is asserted twice or a variable has two types.
 pub(crate) fn all(values: &[ExpectedValue], recorded: Vec<Observation>) -> Result<Vec<Observation>, String> {
-    let mut directory = Directory::with_capacity(values.len() + recorded.len());
+    let mut directory = Directory {
+        list: Vec::with_capacity(values.len() + recorded.len()),
+        index: FxHashMap::default(),
+    };
     for value in values {
-        let (name, type_name) = (Arc::clone(&value.name), type_name(&value.value));
-        if directory
-            .find_or_add(Observation {
-                name,
-                type_name,
-                after: value.after,
-            })
-            .is_some()
-        {
+        let observed = Observation {
+            name: Arc::clone(&value.name),
+            type_name: type_name(&value.value),
+            after: value.after,
+        };
+        if directory.find_or_add(observed).is_some() {
             return Err(format!("the value of `{}` is asserted twice", value.name));
         }
     }
@@ -46,13 +46,6 @@ struct Directory {
 }
 
 impl Directory {
-    fn with_capacity(capacity: usize) -> Directory {
-        Directory {
-            list: Vec::with_capacity(capacity),
-            index: FxHashMap::default(),
-        }
-    }
-
     /// Returns the type of the variable if the list has it already; adds the variable otherwise.
     fn find_or_add(&mut self, observe: Observation) -> Option<Arc<str>> {
         const FEW: usize = 8;

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::{Setting, Value};
+use stickler_types::{Setting, Value, join};
 use toml::Spanned;
 
 use crate::assemble::Assembler;
@@ -127,8 +127,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
                 harvest.add(context, &frame, &group, &members);
             }
             Err(mistake) => {
-                let names: Vec<&str> = members.iter().map(|dialect| dialect.as_str()).collect();
-                let hint = format!("in {}", names.join(", "));
+                let hint = format!("in {}", join(members, ", "));
                 let line = mistake.line.max(1);
                 harvest.mistakes.push(Mistake { line, ..mistake }.hint(hint));
             }

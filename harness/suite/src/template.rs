@@ -1,6 +1,7 @@
 //! Texts with placeholders: `{row}`, and `{{` for a brace.
 
 use std::sync::Arc;
+use stickler_types::join;
 
 use crate::citations::WrittenBasis;
 
@@ -141,14 +142,12 @@ fn slot(text: &str, brace: usize, names: &[Box<str>]) -> Result<(usize, usize), 
             let name = &inside[..length];
             match names.iter().position(|known| **known == *name) {
                 Some(index) => Ok((index, brace + 1 + length + 1)),
-                None => mistake(format!("no placeholder `{{{name}}}`; there are {}", list(names))),
+                None => {
+                    let known = join(names.iter().map(|name| format!("`{{{name}}}`")), ", ");
+                    mistake(format!("no placeholder `{{{name}}}`; there are {known}"))
+                }
             }
         }
         _ => mistake("`{` opens no placeholder; a brace itself is written `{{`".to_owned()),
     }
-}
-
-fn list(names: &[Box<str>]) -> String {
-    let names: Vec<String> = names.iter().map(|name| format!("`{{{name}}}`")).collect();
-    names.join(", ")
 }

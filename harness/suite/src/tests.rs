@@ -6,6 +6,7 @@ use crate::template::Template;
 use crate::{Dialects, QuoteResult, Sources, Suite, ToldSymptom, Wanted, files, ident, sources};
 use stickler_mdtest::{Example, check_examples};
 use stickler_types::DialectName;
+use stickler_types::join;
 
 #[test]
 fn golden_conditions() {
@@ -60,7 +61,7 @@ fn golden_scan() {
             .map(|mark| format!("{}: [{}]", mark.line, mark.text));
         let hidden = found.hidden.iter().map(|line| format!("{line}: hidden"));
         let unclosed = found.unclosed.iter().map(|line| format!("{line}: not closed"));
-        marks.chain(hidden).chain(unclosed).collect::<Vec<_>>().join("\n")
+        join(marks.chain(hidden).chain(unclosed), "\n")
     });
 }
 
@@ -96,7 +97,7 @@ fn sources_of(example: &Example) -> (Sources, String) {
         .into_iter()
         .chain(found.remarks)
         .map(|error| error.to_string().replacen("cases/", "", 1));
-    (found.sources, errors.collect::<Vec<_>>().join("\n"))
+    (found.sources, join(errors, "\n"))
 }
 
 /// Returns what a saved page says of a quote.

@@ -23,7 +23,7 @@ use crate::{ProgramParts, Renaming, parse, render};
 use std::cell::RefCell;
 use std::collections::HashSet;
 use stickler_mdtest::{Block, Difference, Reported, differences, same};
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, join};
 
 #[test]
 fn the_syntax_is_as_the_files_say() {
@@ -213,16 +213,13 @@ fn leaves(text: &str, dialect: &Dialect) -> String {
 fn kinds(text: &str, dialect: &Dialect) -> String {
     let tokens = lex(text, dialect).tokens;
     let kinds = tokens.iter().map(|token| format!("{:?}", token.kind));
-    kinds.take(tokens.len() - 1).collect::<Vec<_>>().join(" ")
+    join(kinds.take(tokens.len() - 1), " ")
 }
 
 fn tokens(text: &str, dialect: &Dialect) -> String {
     let tokens = lex(text, dialect).tokens;
     let tokens = tokens.iter().filter(|token| token.kind != TokenKind::End);
-    tokens
-        .map(|token| token.span.text(text))
-        .collect::<Vec<_>>()
-        .join(" ")
+    join(tokens.map(|token| token.span.text(text)), " ")
 }
 
 fn lexed(text: &str, dialect: &Dialect) -> String {
@@ -230,7 +227,7 @@ fn lexed(text: &str, dialect: &Dialect) -> String {
     let described = list
         .iter()
         .map(|one| format!("{} {}", one.code, one.span.text(text)));
-    let described = described.collect::<Vec<_>>().join(", ");
+    let described = join(described, ", ");
     if described.is_empty() {
         "-".to_owned()
     } else {
@@ -292,7 +289,7 @@ fn feature_uses(text: &str, dialect: &Dialect) -> String {
     let described = uses
         .iter()
         .map(|one| format!("{} {}", one.key, one.span.text(text)));
-    described.collect::<Vec<_>>().join("; ")
+    join(described, "; ")
 }
 
 fn separate(text: &str, dialect: &Dialect) -> String {

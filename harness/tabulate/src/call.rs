@@ -2,7 +2,7 @@
 
 use stickler_exact::{Expected, Signature, expected, signatures};
 use stickler_types::documents::DocumentedFunctions;
-use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
+use stickler_types::{DialectName, ElementaryType, Value, WrittenValue, join};
 
 /// A call of a conversion function with the operands that a program writes.
 #[derive(Clone, PartialEq, Debug)]
@@ -74,12 +74,8 @@ impl Call {
 impl std::fmt::Display for Call {
     /// Writes the call with canonical typed literals, `DINT_TO_INT(DINT#1)`, so that equal calls have equal texts.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let operands: Vec<String> = self
-            .operands
-            .iter()
-            .map(|operand| operand.value.to_string())
-            .collect();
-        write!(f, "{}({})", self.signature.function, operands.join(", "))
+        let operands = self.operands.iter().map(|operand| &operand.value);
+        write!(f, "{}({})", self.signature.function, join(operands, ", "))
     }
 }
 

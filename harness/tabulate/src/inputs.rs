@@ -73,19 +73,12 @@ struct Limit {
 
 impl Limit {
     fn parse(entry: &str) -> Option<Limit> {
-        let (is_negative, rest) = match entry.strip_prefix('-') {
-            Some(rest) => (true, rest),
-            None => (false, entry),
-        };
+        let (is_negative, rest) = entry
+            .strip_prefix('-')
+            .map_or((false, entry), |rest| (true, rest));
         let (side, rest) = rest.split_once('.')?;
-        let (name, offset) = match rest.find(['+', '-']) {
-            Some(at) => rest.split_at(at),
-            None => (rest, "+0"),
-        };
-        let (whole, half) = match offset.strip_suffix(".5") {
-            Some(whole) => (whole, 1),
-            None => (offset, 0),
-        };
+        let (name, offset) = rest.find(['+', '-']).map_or((rest, "+0"), |at| rest.split_at(at));
+        let (whole, half) = offset.strip_suffix(".5").map_or((offset, 0), |whole| (whole, 1));
         let whole = whole.parse::<i128>().ok()?;
         Some(Limit {
             is_negative,

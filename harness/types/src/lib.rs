@@ -69,7 +69,7 @@ pub use fault::{Fault, UnknownFault};
 pub use generic::GenericType;
 pub use hash::Fnv1a;
 pub use literal::LiteralError;
-pub use near::joined;
+pub use near::{join, joined};
 pub use numbers::{counted, grouped};
 pub use observed_value::deserialize_expected;
 pub use options::{

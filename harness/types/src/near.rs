@@ -1,6 +1,7 @@
 //! Suggestions for misspelled words, and lists of words for messages.
 
 use std::borrow::Borrow;
+use std::fmt::Display;
 
 /// The greatest edit distance at which a word is taken for a misspelling of another.
 const NEAR: usize = 2;
@@ -34,6 +35,12 @@ pub fn joined<W: Borrow<str>>(words: &[W], conjunction: &str) -> String {
         }
         few => few.join(""),
     }
+}
+
+/// Formats items with a separator between them.
+pub fn join(items: impl IntoIterator<Item: Display>, separator: &str) -> String {
+    let texts: Vec<String> = items.into_iter().map(|item| item.to_string()).collect();
+    texts.join(separator)
 }
 
 /// Returns a suggestion for an unknown word: the most similar of `words`, or all of them.

@@ -71,17 +71,12 @@ impl WorkerPool {
     ///
     /// # Errors
     /// The first error of `open`, or a [`SpawnError`]; then no task was given out.
-    pub fn run<W, T, R, E>(
+    pub fn run<W, T: Send, R: Send, E: Send + From<SpawnError>>(
         self,
         open: impl Fn() -> Result<W, E> + Sync,
         work: impl Fn(&mut W, T) -> R + Sync,
         supervisor: &mut dyn Supervisor<T, R>,
-    ) -> Result<(), E>
-    where
-        T: Send,
-        R: Send,
-        E: Send + From<SpawnError>,
-    {
+    ) -> Result<(), E> {
         let threads = ThreadPoolBuilder::new()
             .num_threads(self.threads)
             .thread_name(|index| format!("worker-{index}"))
@@ -135,18 +130,13 @@ impl WorkerPool {
     ///
     /// # Errors
     /// Fails as [`WorkerPool::run`] does.
-    pub fn for_each<W, T, R, E>(
+    pub fn for_each<W, T: Send, R: Send, E: Send + From<SpawnError>>(
         self,
         tasks: impl Iterator<Item = T>,
         open: impl Fn() -> Result<W, E> + Sync,
         work: impl Fn(&mut W, T) -> R + Sync,
         take: impl FnMut(R),
-    ) -> Result<(), E>
-    where
-        T: Send,
-        R: Send,
-        E: Send + From<SpawnError>,
-    {
+    ) -> Result<(), E> {
         self.run(open, work, &mut Each { tasks, take })
     }
 
@@ -155,17 +145,12 @@ impl WorkerPool {
     ///
     /// # Errors
     /// Fails as [`WorkerPool::run`] does, or with the error of `work` that belongs to the earliest item.
-    pub fn map<W, T, R, E>(
+    pub fn map<W, T: Send, R: Send, E: Send + From<SpawnError>>(
         self,
         items: impl ExactSizeIterator<Item = T>,
         open: impl Fn() -> Result<W, E> + Sync,
         work: impl Fn(&mut W, T) -> Result<R, E> + Sync,
-    ) -> Result<Vec<R>, E>
-    where
-        T: Send,
-        R: Send,
-        E: Send + From<SpawnError>,
-    {
+    ) -> Result<Vec<R>, E> {
         let threads = self.threads.min(items.len()).max(1);
         let has_failed = Cell::new(false);
         let items = items.enumerate().take_while(|_| !has_failed.get());

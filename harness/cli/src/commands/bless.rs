@@ -13,7 +13,7 @@ use stickler_engines::Reference;
 use stickler_report::events::{self, Reader};
 use stickler_run::{Baseline, Blessing, ChangeKind, EngineRun, EntryChange, Event, Verdict, bless};
 use stickler_suite::Suite;
-use stickler_types::{DialectName, counted};
+use stickler_types::{DialectName, counted, join};
 
 /// The maximum number of changes of a baseline that are shown one by one.
 const MAX_CHANGES: usize = 40;
@@ -188,10 +188,7 @@ fn summary(blessing: &Blessing) -> String {
     };
     let reported = kinds.map(|(kind, word)| (number(kind), word));
     let reported = reported.iter().filter(|(number, _)| *number > 0);
-    reported
-        .map(|(number, word)| format!("{number} {word}"))
-        .collect::<Vec<_>>()
-        .join(", ")
+    join(reported.map(|(number, word)| format!("{number} {word}")), ", ")
 }
 
 /// Writes the file atomically, since it holds reasons that people wrote.

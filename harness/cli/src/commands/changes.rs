@@ -12,7 +12,7 @@ use std::path::Path;
 use stickler_report::basis::Basis;
 use stickler_run::{Fact, clip_line, expected_facts};
 use stickler_suite::{Case, Change, Changed, Dialects, Suite};
-use stickler_types::{counted, grouped};
+use stickler_types::{counted, grouped, join};
 
 /// The maximum number of rows of a table: the largest groups of cases.
 const MAX_ROWS: usize = 16;
@@ -133,8 +133,7 @@ fn with_part(file: &str, part: &str) -> String {
     let head = parts.remove(0);
     parts.retain(|other| other.lines().next() != part.lines().next());
     let parts = [head, part.to_owned()].into_iter().chain(parts);
-    let parts: Vec<String> = parts.map(|part| format!("{}\n", part.trim())).collect();
-    parts.join("\n")
+    join(parts.map(|part| format!("{}\n", part.trim())), "\n")
 }
 
 fn page(old: &Suite, new: &Suite) -> String {
@@ -148,12 +147,10 @@ fn page(old: &Suite, new: &Suite) -> String {
     let [before, now] = [old, new].map(|suite| counted(suite.cases.len() as u64, "case", "cases"));
     let more = counted(claims.difference(&claimed).count() as u64, "claim", "claims");
     let fewer = claimed.difference(&claims).count();
-    text.push_str(&format!(
-        "{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|\n"
-    ));
+    text += &format!("{before} before, {now} now; {more} more, {fewer} fewer.\n\n| cases | |\n|---|---|\n");
     let of = |change: Change| changes.iter().filter(move |changed| changed.change == change);
     for (change, title, ..) in TABLES {
-        text.push_str(&format!("| {title} | {} |\n", grouped(of(change).count() as u64)));
+        text += &format!("| {title} | {} |\n", grouped(of(change).count() as u64));
     }
     push_withdrawn(&mut text, new, of(Change::Withdrawn));
     let is_new = |changed: &&Changed<'_>| !claimed.contains(&*changed.new.basis);
@@ -182,8 +179,8 @@ fn push_withdrawn<'a>(text: &mut String, suite: &Suite, cases: impl Iterator<Ite
     for (at, (entry, ids)) in entries.iter().enumerate() {
         let heading = if at == 0 { "\n### Withdrawn\n\n" } else { "" };
         let of_id = |(id, number): (&&str, &u64)| format!("`{id}` ({})", counted(*number, "case", "cases"));
-        let ids: Vec<String> = ids.iter().map(of_id).collect();
-        text.push_str(&format!("{heading}* {}, {entry}\n", ids.join(", ")));
+        let ids = join(ids.iter().map(of_id), ", ");
+        *text += &format!("{heading}* {ids}, {entry}\n");
     }
 }
 
@@ -204,19 +201,14 @@ fn push_table<'a>(
     for (at, (row, (number, example))) in groups.iter().take(MAX_ROWS).enumerate() {
         if at == 0 {
             let rule = "---|".repeat(columns.split('|').count() + 2);
-            text.push_str(&format!(
-                "\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}\n"
-            ));
+            *text += &format!("\n### Cases {title}\n\n| {columns} | cases | for example |\n|{rule}\n");
         }
-        text.push_str(&format!("| {row} | {} | `{example}` |\n", grouped(*number)));
+        *text += &format!("| {row} | {} | `{example}` |\n", grouped(*number));
     }
     let rest = groups.iter().skip(MAX_ROWS).map(|(_, (number, _))| number);
     let (rows, cases) = (rest.clone().count(), rest.sum());
     if rows > 0 {
-        text.push_str(&format!(
-            "\nAnd {rows} more with {}.\n",
-            counted(cases, "case", "cases")
-        ));
+        *text += &format!("\nAnd {rows} more with {}.\n", counted(cases, "case", "cases"));
     }
 }
 

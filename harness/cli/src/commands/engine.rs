@@ -5,11 +5,11 @@ use crate::exit::Exit;
 use crate::output::{BAD, BOLD};
 use crate::{engines, interrupt, shell};
 use anyhow::Context;
-use std::borrow::Cow;
 use std::env;
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
+use stickler_types::join;
 use stickler_types::shortened;
 
 /// Answers requests on stdin until `bye` or its end, or validates an adapter by the requests of the smoke set.
@@ -61,10 +61,7 @@ fn served(name: &str, configuration: &ConfigurationFile) -> anyhow::Result<Strin
 fn command_line(words: &[String]) -> String {
     match words {
         [line] => line.strip_prefix(engines::COMMAND).unwrap_or(line).to_owned(),
-        words => {
-            let quoted: Vec<Cow<'_, str>> = words.iter().map(|word| shell::quote(word)).collect();
-            quoted.join(" ")
-        }
+        words => join(words.iter().map(|word| shell::quote(word)), " "),
     }
 }
 

@@ -7,7 +7,7 @@ mod page;
 mod replay;
 mod survey;
 
-use crate::arguments::FuzzArguments;
+use crate::arguments::{FuzzArguments, named_or_all};
 use crate::case_folder::CaseFolder;
 use crate::engines::{self, NamedEngine};
 use crate::exit::Exit;
@@ -55,10 +55,7 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
 
 /// Runs a campaign that asks the reference alone, with the oracles of the fuzz targets.
 fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let targets = match &arguments.target[..] {
-        [] => TargetOracle::TARGETS.to_vec(),
-        named => named.to_vec(),
-    };
+    let targets = named_or_all(&arguments.target, &TargetOracle::TARGETS).to_vec();
     let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.as_str().to_owned()).collect();
     let request = CampaignRequest {
         targets: names(&targets),
@@ -195,14 +192,11 @@ fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
 /// # Errors
 /// An engine that speaks none of the dialects.
 fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
-    let defined = DialectName::defined().into_iter();
-    let all = DialectName::ALL
+    let custom = DialectName::defined()
         .into_iter()
-        .chain(defined.filter(|dialect| dialect.is_custom()));
-    let asked = match &arguments.dialect[..] {
-        [] => &all.collect::<Vec<_>>()[..],
-        named => named,
-    };
+        .filter(|dialect| dialect.is_custom());
+    let all: Vec<DialectName> = DialectName::ALL.into_iter().chain(custom).collect();
+    let asked = named_or_all(&arguments.dialect, &all);
     let foreign = engines
         .iter()
         .filter(|named| named.asked_for != engines::REFERENCE);

@@ -1,6 +1,6 @@
 //! `stickler matrix`: shows which types convert implicitly, by the documents and by engines.
 
-use crate::arguments::{MatrixArguments, SelectionArguments};
+use crate::arguments::{MatrixArguments, SelectionArguments, named_or_all};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
@@ -50,11 +50,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     if !suite.cases.iter().any(|case| implicit_word(case).is_some()) {
         return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
     }
-    let asked = if arguments.dialect.is_empty() {
-        &DialectName::ALL[..]
-    } else {
-        &arguments.dialect
-    };
+    let asked = named_or_all(&arguments.dialect, &DialectName::ALL);
     for named in &engines {
         engines::spoken(named.identity(), asked)?;
     }
@@ -171,15 +167,14 @@ fn legend(engines: &[NamedEngine], recordings: &[Recording], out: &mut dyn Write
         legend.replace("{engines}", &answers).replace("{differ}", differ)
     )?;
     if engines.len() > 1 {
-        let asked: Vec<String> = engines
+        let asked = engines
             .iter()
-            .map(|named| format!(" --engine {}", shell::quote(&named.asked_for)))
-            .collect();
+            .map(|named| format!(" --engine {}", shell::quote(&named.asked_for)));
         writeln!(
             out,
             "What a conversion function gives on each: {} conversions REAL_TO_INT{}",
             shell::program(),
-            asked.concat()
+            asked.collect::<String>()
         )?;
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! `stickler record`: writes a file with the answers of an engine, to be shown where the engine is not at hand.
 
-use crate::arguments::RecordArguments;
+use crate::arguments::{RecordArguments, named_or_all};
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt, run_plan, source_file};
@@ -21,16 +21,10 @@ use stickler_types::{DialectName, RecordingOrigin};
 pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     interrupt::at_once()?;
     let engine = engines::by_name(&arguments.engine)?;
-    let asked = match &arguments.dialect[..] {
-        [] => &DialectName::ALL[..],
-        named => named,
-    };
+    let asked = named_or_all(&arguments.dialect, &DialectName::ALL);
     let dialects = engines::spoken(engine.identity(), asked)?;
     let origin = origin(arguments, engine.identity())?;
-    let sections = match &arguments.only[..] {
-        [] => &RecordedSection::ALL,
-        named => named,
-    };
+    let sections = named_or_all(&arguments.only, &RecordedSection::ALL);
     // A file that cannot be completed is seen before the compiler is asked for minutes.
     let older = match &arguments.output {
         Some(path) if !arguments.only.is_empty() => {

@@ -43,7 +43,7 @@ fn log(folder: &Path) -> (u64, usize) {
     let mut log = Reader::open(&folder.join("reports/latest/events.jsonl.gz")).expect("an event log");
     let events: Vec<_> = log.by_ref().collect::<Result<_, _>>().expect("a readable log");
     match log.check_complete() {
-        Err(LogError::Truncated { cases }) => (cases, events.len()),
+        Err(LogError::Truncated(cases)) => (cases, events.len()),
         complete => panic!("the log is not cut short: {complete:?}"),
     }
 }

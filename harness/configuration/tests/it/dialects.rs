@@ -13,14 +13,11 @@ fn shown(name: DialectName) -> String {
     );
     for ((from, to), stated) in &definition.cells {
         let basis = stated.basis.as_deref().unwrap_or("-");
-        text.push_str(&format!(
-            "    implicit {from}.{to} = {}: {basis}\n",
-            stated.value.as_str()
-        ));
+        text += &format!("    implicit {from}.{to} = {}: {basis}\n", stated.value.as_str());
     }
     for (key, value) in definition.statements() {
         let basis = definition.basis(key).unwrap_or("-");
-        text.push_str(&format!("    {key} = {value}: {basis}\n"));
+        text += &format!("    {key} = {value}: {basis}\n");
     }
     text
 }

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 use stickler_exact::{Operation, Signature};
-use stickler_types::{ElementaryType, Family, Value, boundaries, distinct, sorted};
+use stickler_types::{ElementaryType, Family, Value, boundaries, distinct, join, sorted};
 
 /// The values that an overview shows besides the limits of types.
 static LISTS: LazyLock<Lists> =
@@ -26,8 +26,7 @@ fn list(lists: &NamedLists, name: &str) -> Vec<String> {
 
 /// Returns the types of a signature's operands, in one line.
 pub fn types(signature: &Signature) -> String {
-    let names: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
-    names.join(", ")
+    join(signature.operands.iter().map(|ty| ty.name()), ", ")
 }
 
 /// Returns the calls that are shown where no values are given: both zeros, ties, the limits of both types with their neighbours,

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
-use stickler_types::{DialectName, ElementaryType, Family, Value};
+use stickler_types::{DialectName, ElementaryType, Family, Value, join};
 use stickler_types::{PrintedResult, distinct, grouped_by, shortened, sorted, wrap, wrap_within};
 
 /// The maximum width of a table and of the lines below it, in characters.
@@ -192,8 +192,7 @@ impl OverviewPage<'_> {
         let mut troubles = Vec::new();
         for column in &results.columns {
             for (call, compared) in results.calls.iter().zip(&column.results) {
-                let operands: Vec<String> = call.iter().map(in_words).collect();
-                let call = format!("{function}({})", operands.join(", "));
+                let call = format!("{function}({})", join(call.iter().map(in_words), ", "));
                 if let Some(trouble) = trouble(compared) {
                     troubles.push(format!("{}: {call} {trouble}", name(column)));
                 }

@@ -2,7 +2,7 @@
 
 use super::inputs;
 use stickler_exact::Signature;
-use stickler_types::{ElementaryType, Family, LiteralError, Value, shortened};
+use stickler_types::{ElementaryType, Family, LiteralError, Value, join, shortened};
 
 /// The maximum number of characters that are shown of a value.
 pub(super) const MAX_VALUE_LEN: usize = 40;
@@ -102,7 +102,7 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<CallOperands>)], bare_text: b
                     shortened(text, MAX_VALUE_LEN)
                 ))
             });
-            wrong.collect::<Vec<_>>().join("; ")
+            join(wrong, "; ")
         }
         _ => {
             let mut types: Vec<String> = rows

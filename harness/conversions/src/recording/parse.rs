@@ -6,7 +6,7 @@ use crate::session::RefusalKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue, is_part};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue, is_part, join};
 use toml::Spanned;
 
 /// The mistake for which the file of a recording is refused: its file, its line, what is wrong, and what to do.
@@ -163,11 +163,7 @@ fn word_row(
 fn matrix_answer(word: &str) -> Result<&'static str, String> {
     let answer = MatrixAnswer::from_word(word).map(MatrixAnswer::as_str);
     answer.ok_or_else(|| {
-        let known = MatrixAnswer::ALL
-            .iter()
-            .map(|answer| answer.as_str())
-            .collect::<Vec<_>>()
-            .join(", ");
+        let known = join(MatrixAnswer::ALL, ", ");
         format!("`{word}` is no answer of a compiler; one of {known} is")
     })
 }

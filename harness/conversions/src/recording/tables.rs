@@ -8,7 +8,7 @@ use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::slice;
 use stickler_exact::signature_of;
-use stickler_types::{DialectName, ElementaryType, Question, Value};
+use stickler_types::{DialectName, ElementaryType, Question, Value, join};
 
 /// A table of cases that was made of a section of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -149,9 +149,7 @@ impl Recording {
         );
         let targets = observe.is_some_and(|ty| ty.starts_with('{'));
         let target = if targets { "\"target\", " } else { "" };
-        text.push_str(&format!(
-            "columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = [\n"
-        ));
+        text += &format!("columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = [\n");
         for (id, program, recorded) in rows {
             let (declared, done) = (one_line(&program.declarations), one_line(&program.statements));
             let target = match targets {
@@ -159,21 +157,18 @@ impl Recording {
                 false => String::new(),
             };
             let cells = [id, &declared, &done].map(|cell| quoted(cell)).join(", ");
-            text.push_str(&format!("    [{cells}, {target}{}],\n", quoted(recorded)));
+            text += &format!("    [{cells}, {target}{}],\n", quoted(recorded));
         }
-        text.push_str(&format!(
-            "]\nasks = \"{{id}}\"\n\n[[probe]]\nname    = {}\n",
-            quoted(probe)
-        ));
+        text += &format!("]\nasks = \"{{id}}\"\n\n[[probe]]\nname    = {}\n", quoted(probe));
         if let Some((ty, (_, program, _))) = observe.zip(rows.first()) {
             let name = program.observed.first().map_or("", String::as_str);
-            text.push_str(&format!("observe = \"{name} : {ty}\"\n"));
+            text += &format!("observe = \"{name} : {ty}\"\n");
         }
         let mark = code.map(|code| format!(" (*! error {code} if recorded = no *)"));
-        text.push_str(&format!(
+        text += &format!(
             "expect  = \"{{recorded}}\"\nsource  = \"\"\"\nPROGRAM main\nVAR\n    {{declared}}\nEND_VAR\n    {{done}}{}\nEND_PROGRAM\n\"\"\"\n",
             mark.unwrap_or_default()
-        ));
+        );
         text
     }
 }
@@ -191,6 +186,5 @@ fn accepted_or_not(answer: MatrixAnswer) -> PromotedAnswer {
 
 /// Returns declarations or statements on one line.
 fn one_line(text: &str) -> String {
-    let lines: Vec<&str> = text.lines().map(str::trim).collect();
-    lines.join(" ")
+    join(text.lines().map(str::trim), " ")
 }

@@ -3,7 +3,7 @@
 use super::{FunctionAnswers, RecordedSection, Recording, WordKey};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, join};
 
 /// A section: the dialects of its answers, and the text of each row by the kind and key of the row.
 type WrittenSections<'r> = BTreeMap<Vec<&'r str>, BTreeMap<(&'static str, String), String>>;
@@ -31,8 +31,8 @@ impl Recording {
             }
         }
         for (dialects, rows) in self.sections() {
-            let names: Vec<String> = dialects.into_iter().map(quoted).collect();
-            writeln!(out, "\n[[answers]]\ndialects = [{}]", names.join(", "))?;
+            let names = join(dialects.into_iter().map(quoted), ", ");
+            writeln!(out, "\n[[answers]]\ndialects = [{names}]")?;
             for kind in RecordedSection::ALL.iter().map(|section| section.as_str()) {
                 let mut rows = rows.iter().filter(|((of, _), _)| *of == kind).peekable();
                 if rows.peek().is_some() {
@@ -76,7 +76,7 @@ impl Recording {
                 true => format!("{} = {}", quoted(word), quoted(&listed.join(" "))),
                 false => format!("{word} = {}", quoted(&listed.join(" "))),
             });
-            let row = format!("{{ {} }}", columns.collect::<Vec<_>>().join(", "));
+            let row = format!("{{ {} }}", join(columns, ", "));
             (section.as_str(), ty.name().to_owned(), row)
         })
     }
@@ -106,18 +106,15 @@ fn function_row(answers: &FunctionAnswers) -> String {
         FunctionAnswers::Refused(kind) => return quoted(kind.word()),
         FunctionAnswers::Calls(calls) => calls,
     };
-    let calls: Vec<String> = calls
-        .iter()
-        .map(|(operands, answer)| {
-            let mut texts: Vec<String> = operands.iter().map(|value| quoted(&value.literal())).collect();
-            texts.push(match answer {
-                Ok(value) => quoted(&value.literal()),
-                Err(kind) => quoted(kind.word()),
-            });
-            format!("[{}]", texts.join(", "))
-        })
-        .collect();
-    format!("[{}]", calls.join(", "))
+    let calls = calls.iter().map(|(operands, answer)| {
+        let mut texts: Vec<String> = operands.iter().map(|value| quoted(&value.literal())).collect();
+        texts.push(match answer {
+            Ok(value) => quoted(&value.literal()),
+            Err(kind) => quoted(kind.word()),
+        });
+        format!("[{}]", texts.join(", "))
+    });
+    format!("[{}]", join(calls, ", "))
 }
 
 /// Returns a text as TOML writes it.

@@ -7,7 +7,7 @@ use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_exact::{Signature, functions, value};
 use stickler_mdtest::check_examples;
 use stickler_types::boundaries::BoundaryDetail;
-use stickler_types::{ConversionChoices, Dialect, DialectName};
+use stickler_types::{ConversionChoices, Dialect, DialectName, join};
 
 /// Sweeps every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
 /// nearest neighbours of the boundaries with a sample of the others.
@@ -110,6 +110,6 @@ fn golden_agendas() {
             let types = (&sweep.signature.operands[0], &sweep.signature.result);
             format!("{} to {}: {}", types.0, types.1, names.join(" "))
         };
-        sweeps.iter().map(shown).collect::<Vec<_>>().join("\n")
+        join(sweeps.iter().map(shown), "\n")
     });
 }

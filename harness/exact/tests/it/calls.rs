@@ -15,7 +15,7 @@ use stickler_exact::{
 };
 use stickler_mdtest::{Block, Difference, same};
 use stickler_types::{
-    Dialect, DialectKind, DialectName, ElementaryType, Question, RealText, Rounding, Value,
+    Dialect, DialectKind, DialectName, ElementaryType, Question, RealText, Rounding, Value, join,
 };
 
 #[test]
@@ -209,6 +209,6 @@ fn forms(name: &str, dialect: DialectName) -> String {
     let form = |one: &Signature| format!("{} : {}", one.operands[0], one.result);
     match found.is_empty() {
         true => "-".to_owned(),
-        false => found.iter().map(form).collect::<Vec<_>>().join(" | "),
+        false => join(found.iter().map(form), " | "),
     }
 }

@@ -120,10 +120,7 @@ fn by_literals(text: &str, ty: ElementaryType) -> Value {
         }
         Family::Real => {
             // A point is at will where a number is read, but not in a literal.
-            let (digits, exponent) = match text.find(['e', 'E']) {
-                Some(at) => text.split_at(at),
-                None => (text, ""),
-            };
+            let (digits, exponent) = text.find(['e', 'E']).map_or((text, ""), |at| text.split_at(at));
             let needs_point = digits.ends_with(|last: char| last.is_ascii_digit()) && !digits.contains('.');
             let with_point = format!("{digits}{}{exponent}", if needs_point { ".0" } else { "" });
             match literal::real(&with_point, ty) {

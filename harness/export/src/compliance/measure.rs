@@ -24,10 +24,7 @@ impl MeasuredFeatures {
     ///
     /// # Errors
     /// An engine or a thread that cannot be started.
-    pub(super) fn ask(
-        plan: &CompliancePlan<'_>,
-        features: &[&Feature],
-    ) -> Result<MeasuredFeatures, RunError> {
+    pub(super) fn ask(plan: &CompliancePlan<'_>, features: &[&Feature]) -> Result<Self, RunError> {
         let Some(engine) = plan.engine else {
             return Ok(MeasuredFeatures::default());
         };

@@ -169,8 +169,5 @@ fn cells(line: &str) -> Vec<&str> {
     let separator = ['\t', ';', ',']
         .into_iter()
         .find(|separator| line.contains(*separator));
-    match separator {
-        Some(separator) => line.split(separator).collect(),
-        None => Vec::new(),
-    }
+    separator.map_or_else(Vec::new, |separator| line.split(separator).collect())
 }

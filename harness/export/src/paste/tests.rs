@@ -3,6 +3,7 @@
 use super::*;
 use crate::page::MAGIC;
 use stickler_mdtest::check_examples;
+use stickler_types::join;
 
 fn read_bytes(bytes: &[u8]) -> Pasted {
     read(&decoded(bytes))
@@ -35,11 +36,7 @@ fn elements_are_found_in_every_form() {
             let [array] = &arrays(text)[..] else {
                 panic!("{text}")
             };
-            assert_eq!(
-                array.iter().map(shown).collect::<Vec<_>>().join(", "),
-                expected,
-                "{text}"
-            );
+            assert_eq!(join(array.iter().map(shown), ", "), expected, "{text}");
         }
     }
 }

@@ -120,10 +120,9 @@ impl ProgramBuilder<'_, '_> {
         }
         let ty = self.seen_type();
         let operator = self.comparison_operator(ty);
-        let left = match self.varying(ty, depth) {
-            Some(left) => left,
-            None => self.value(ty, TypeContext::Exact, depth),
-        };
+        let left = self
+            .varying(ty, depth)
+            .unwrap_or_else(|| self.value(ty, TypeContext::Exact, depth));
         let right = self.compared(&left, ty, depth);
         self.in_some_order(operator, left, right, ElementaryType::Bool)
     }

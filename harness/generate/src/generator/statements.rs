@@ -185,10 +185,9 @@ impl ProgramBuilder<'_, '_> {
             .filter(|ty| ty.is_integer() && self.pou.varies(*ty))
             .collect();
         let &ty = self.random.pick(&integers)?;
-        let selector = match self.varying(ty, 2) {
-            Some(varying) => varying,
-            None => self.value(ty, TypeContext::Exact, 2),
-        };
+        let selector = self
+            .varying(ty, 2)
+            .unwrap_or_else(|| self.value(ty, TypeContext::Exact, 2));
         let (least, greatest) = ty.integer_range()?;
         // Labels ascend, so that none overlaps another.
         let starts = [0, least, -3, greatest - 20];

@@ -53,21 +53,12 @@ impl Expression {
     }
 
     /// Creates a call of a standard function whose result has an elementary type.
-    pub const fn standard(
-        function: StandardFunction,
-        arguments: Vec<Expression>,
-        result: ElementaryType,
-    ) -> Expression {
+    pub const fn standard(function: StandardFunction, arguments: Vec<Self>, result: ElementaryType) -> Self {
         Expression::elementary(result, ExpressionKind::Standard(function, arguments))
     }
 
     /// Creates an operation with two operands whose result has an elementary type.
-    pub fn binary(
-        operator: BinaryOperator,
-        left: Expression,
-        right: Expression,
-        result: ElementaryType,
-    ) -> Expression {
+    pub fn binary(operator: BinaryOperator, left: Self, right: Self, result: ElementaryType) -> Self {
         let kind = ExpressionKind::Binary(operator, Box::new(left), Box::new(right));
         Expression::elementary(result, kind)
     }

@@ -4,6 +4,7 @@ use super::{
     DeclaredKind, Expression, PlaceSelector, Pou, Program, Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
+use stickler_types::join;
 
 impl Program {
     /// Returns the type that an alias stands for; any other type itself.
@@ -104,7 +105,7 @@ impl Program {
             let inside = match step {
                 PathStep::Index(limits) => {
                     let texts = subscripts(&limits).into_iter();
-                    let texts = texts.map(|subscripts| format!("[{}]", joined(&subscripts)));
+                    let texts = texts.map(|subscripts| format!("[{}]", join(&subscripts, ",")));
                     texts.zip(0..).collect()
                 }
                 PathStep::Field(number) | PathStep::Output(VariableId(number)) => {
@@ -182,9 +183,4 @@ pub fn subscripts(dimensions: &[(i64, i64)]) -> Vec<Vec<i64>> {
             .collect();
     }
     all
-}
-
-fn joined(subscripts: &[i64]) -> String {
-    let texts: Vec<String> = subscripts.iter().map(i64::to_string).collect();
-    texts.join(",")
 }

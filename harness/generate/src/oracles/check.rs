@@ -5,7 +5,7 @@ use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
 use crate::writer::{Keywords, Style, write};
-use stickler_types::{Diagnostic, DialectName};
+use stickler_types::{Diagnostic, DialectName, join};
 
 /// The number of bytes that choose the style and the error; the others choose the program.
 const OF_THE_ERROR: usize = 48;
@@ -181,8 +181,7 @@ fn offset(text: &str, line: u32, column: u32) -> Option<usize> {
 }
 
 fn listed(said: &[Diagnostic]) -> String {
-    let shown: Vec<String> = said.iter().map(Diagnostic::to_string).collect();
-    format!("the reference says {}", shown.join("; "))
+    format!("the reference says {}", join(said, "; "))
 }
 
 /// The code of a diagnostic; empty where it has none.

@@ -6,7 +6,7 @@ use arbitrary::Unstructured;
 use std::sync::LazyLock;
 use stickler_exact::{Signature, expected, functions, signatures};
 use stickler_reference::{Limits, RequestError, run};
-use stickler_types::{DialectName, ElementaryType, Observation, Outcome, RunRequest, Setting, Value};
+use stickler_types::{DialectName, ElementaryType, Observation, Outcome, RunRequest, Setting, Value, join};
 
 /// Every conversion of each dialect, in the order of [`DialectName::ALL`].
 static CONVERSIONS: LazyLock<[Vec<Signature>; DialectName::ALL.len()]> = LazyLock::new(|| {
@@ -106,8 +106,7 @@ fn hold(dialect: DialectName, signature: &Signature, operands: &[Value], source:
         Err(RequestError::Internal(reason)) => ("internal-error".to_owned(), format!(": {reason}")),
         Err(error) => ("request".to_owned(), format!(": {error}")),
     };
-    let operands: Vec<String> = operands.iter().map(Value::to_string).collect();
-    let call = format!("{}({}) in {dialect}", signature.function, operands.join(", "));
+    let call = format!("{}({}) in {dialect}", signature.function, join(operands, ", "));
     failed(symptom, call + &what)
 }
 

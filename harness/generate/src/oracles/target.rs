@@ -122,10 +122,9 @@ impl OracleFailure {
 impl fmt::Display for OracleFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.symptom, self.message)?;
-        match &self.program {
-            Some(program) => write!(f, "\n{program}"),
-            None => Ok(()),
-        }
+        self.program
+            .as_ref()
+            .map_or(Ok(()), |program| write!(f, "\n{program}"))
     }
 }
 

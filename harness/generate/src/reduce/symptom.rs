@@ -4,7 +4,7 @@
 use std::fmt;
 use std::str::FromStr;
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_types::{Code, Fault, Value, distinct};
+use stickler_types::{Code, Fault, Value, distinct, join};
 
 /// A way in which an engine deviates from the expected outcome.
 ///
@@ -192,16 +192,15 @@ fn normalize_message(message: &str) -> String {
         word.bytes()
             .all(|byte| byte.is_ascii_alphabetic() || b",.:;()-".contains(&byte))
     };
-    let words: Vec<String> = words
+    let words = words
         .filter(plain)
         .map(|word| {
             word.trim_matches(|end: char| !end.is_ascii_alphabetic())
                 .to_ascii_lowercase()
         })
         .filter(|word| !word.is_empty())
-        .take(MAX_WORDS)
-        .collect();
-    words.join(" ")
+        .take(MAX_WORDS);
+    join(words, " ")
 }
 
 impl fmt::Display for OutcomeSymptom {

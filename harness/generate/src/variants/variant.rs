@@ -9,6 +9,7 @@ use crate::random::Random;
 use crate::writer::{Keywords, Style, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
+use stickler_types::join;
 use stickler_types::words;
 
 words! {
@@ -111,8 +112,8 @@ fn rendered(program: &Program, random: &mut Random<'_, '_>) -> String {
     };
     let text = write(program, &style).text;
     render(&text, program.dialect).unwrap_or_else(|diagnostics| {
-        let described: Vec<String> = diagnostics.iter().map(ToString::to_string).collect();
-        format!("(* the renderer refuses the text: {} *)", described.join("; "))
+        let described = join(diagnostics, "; ");
+        format!("(* the renderer refuses the text: {described} *)")
     })
 }
 

@@ -13,7 +13,7 @@ use stickler_generate::model::{
     TypeDeclaration, UnaryOperator, Variable,
 };
 use stickler_generate::writer::{Style, write};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, MomentUnits, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, MomentUnits, Value, join};
 
 /// Returns the bytes of a seed, for programs of every size.
 fn bytes(seed: u64) -> Vec<u8> {
@@ -45,11 +45,11 @@ fn the_reference_accepts_every_program() {
             }
         }
     }
-    let shown: Vec<String> = rejected
+    let shown = rejected
         .iter()
-        .map(|(code, (count, shown))| format!("{code:?}, {count} times: {shown}"))
-        .collect();
-    assert!(shown.is_empty(), "{}", shown.join("\n"));
+        .map(|(code, (count, shown))| format!("{code:?}, {count} times: {shown}"));
+    let shown = join(shown, "\n");
+    assert!(shown.is_empty(), "{shown}");
 }
 
 #[test]

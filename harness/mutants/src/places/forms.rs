@@ -57,10 +57,7 @@ impl<'u> Forms<'_, 'u> {
                 UnaryOperator::Not => "complement",
                 UnaryOperator::Plus => "plus",
             },
-            ExpressionKind::Literal(literal) => match literal.prefix() {
-                Some(_) => "typed-literal",
-                None => "literal",
-            },
+            ExpressionKind::Literal(literal) => literal.prefix().map_or("literal", |_| "typed-literal"),
             ExpressionKind::Call { callee, .. } => match &self.unit.expressions[callee.0 as usize].kind {
                 ExpressionKind::Name(name) if self.names.pou(name.text).is_some() => "function-result",
                 _ => "standard-function-result",

@@ -111,8 +111,8 @@ impl SiteFinder<'_, '_> {
                 self.converting(ConversionClaim::Function, (from, to), true, standing, found);
             }
             UseKind::Expected { from: None, to, fits } => self.literal(to, fits, standing, found),
-            UseKind::BitRead { of } => self.bit(Direction::Read, of, standing.of_bit(), found),
-            UseKind::BitWritten { of } => self.bit(Direction::Written, of, standing.of_bit(), found),
+            UseKind::BitRead(of) => self.bit(Direction::Read, of, standing.of_bit(), found),
+            UseKind::BitWritten(of) => self.bit(Direction::Written, of, standing.of_bit(), found),
         }
     }
 

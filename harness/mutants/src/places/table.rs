@@ -106,10 +106,10 @@ impl Field {
         let mut text = self.noticed.to_string();
         for (number, mark) in [(self.recorded, 'o'), (self.explained, 'e')] {
             if number > 0 {
-                text.push_str(&format!("+{number}{mark}"));
+                text += &format!("+{number}{mark}");
             }
         }
-        text.push_str(&format!("/{}", self.all));
+        text += &format!("/{}", self.all);
         text
     }
 }
@@ -139,11 +139,11 @@ fn spelled(fewest: Option<usize>) -> String {
 }
 
 fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
-    table.push_str(&format!("{name:<48}"));
+    *table += &format!("{name:<48}");
     for (field, width) in fields.iter().zip([20, 20, 20, 24, 11]) {
-        table.push_str(&format!("{field:>width$}"));
+        *table += &format!("{field:>width$}");
     }
-    table.push_str(&format!("{fewest:>14}\n"));
+    *table += &format!("{fewest:>14}\n");
 }
 
 /// Returns the table of places: how many rules are noticed there, and the fewest cases that notice one.
@@ -155,11 +155,7 @@ pub fn by_place(judged: &[Judged]) -> String {
     }
     let mut table = format!("{:<48}{:>16}{:>14}\n", "place", "rules", "fewest cases");
     for (place, field) in rows {
-        table.push_str(&format!(
-            "{place:<48}{:>16}{:>14}\n",
-            field.text(),
-            spelled(field.fewest)
-        ));
+        table += &format!("{place:<48}{:>16}{:>14}\n", field.text(), spelled(field.fewest));
     }
     table
 }

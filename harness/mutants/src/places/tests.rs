@@ -16,6 +16,7 @@ use stickler_mdtest::assert_fits;
 use stickler_suite::{Suite, Wanted};
 use stickler_types::Dialect;
 use stickler_types::DialectName;
+use stickler_types::join;
 
 /// A part of the suite that has programs of every place.
 static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {
@@ -41,13 +42,13 @@ fn reported(rule: &str, place: BrokenPlace) -> String {
     match session.run(&request).expect("it answers") {
         Outcome::Executed { values, .. } => {
             let values = values.iter().map(|(_, value)| value.to_string());
-            values.collect::<Vec<_>>().join(" ")
+            join(values, " ")
         }
         Outcome::Rejected { diagnostics } => {
             let lines = diagnostics
                 .iter()
                 .filter_map(|found| Some(found.line?.to_string()));
-            lines.collect::<Vec<_>>().join(" ")
+            join(lines, " ")
         }
         other => other.to_string(),
     }

@@ -68,11 +68,7 @@ impl<'a> Settings<'a> {
 }
 
 impl<'a> ResolvedSetting<'a> {
-    fn new(
-        program: &CheckedProgram,
-        setting: &'a Setting,
-        scans: u32,
-    ) -> Result<ResolvedSetting<'a>, RequestError> {
+    fn new(program: &CheckedProgram, setting: &'a Setting, scans: u32) -> Result<Self, RequestError> {
         if setting.before == 0 {
             return Err(RequestError::NoSuchScan {
                 name: setting.name.to_string(),

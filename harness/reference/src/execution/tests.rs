@@ -16,7 +16,7 @@ use Instruction::{
 use StandardFunction::{Concat, Len, Min, Mux, Ror, Sel};
 use stickler_types::ElementaryType::{self, Int, String};
 use stickler_types::dialect::{COMMON_CHOICES, TextElements};
-use stickler_types::{BitStringText, MomentText, RealText, SplitMix64};
+use stickler_types::{BitStringText, MomentText, RealText, SplitMix64, join};
 
 const STEPS: u64 = 10_000;
 
@@ -173,7 +173,7 @@ fn answered(routines: &str, answer: &str) -> std::string::String {
                 let first: u32 = place["cells ".len()..].parse().expect("an address");
                 let count = numbers.split(' ').count() as u32;
                 let cells = (first..first + count).map(|address| plain(&machine, address).to_string());
-                format!("{place}: {}", cells.collect::<Vec<_>>().join(" "))
+                format!("{place}: {}", join(cells, " "))
             }
             Some((place, _)) => {
                 let address = place["text ".len()..].parse().expect("an address");
@@ -245,7 +245,7 @@ fn any_instruction(next: &mut impl FnMut() -> u64) -> Instruction {
         "TYPE" => TYPES[next() as usize % TYPES.len()].to_owned(),
         word => word.to_owned(),
     });
-    instruction(&chosen.collect::<Vec<_>>().join(" "))
+    instruction(&join(chosen, " "))
 }
 
 #[test]

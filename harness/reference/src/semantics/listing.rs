@@ -4,6 +4,7 @@ use super::observation::CheckedProgram;
 use super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
 use crate::library::has_block;
 use stickler_syntax::tree::VariableKind;
+use stickler_types::join;
 
 impl CheckedProgram {
     /// The paths of all elementary values of the program that runs first (PROGRAM main), in the order of their
@@ -72,8 +73,7 @@ impl PathListing<'_> {
             if self.paths.len() >= self.most {
                 return;
             }
-            let inside: Vec<String> = subscripts.iter().map(ToString::to_string).collect();
-            self.value(shape.element, format!("{path}[{}]", inside.join(",")));
+            self.value(shape.element, format!("{path}[{}]", join(&subscripts, ",")));
             for (subscript, dimension) in subscripts.iter_mut().zip(&shape.dimensions).rev() {
                 if *subscript < dimension.high {
                     *subscript += 1;

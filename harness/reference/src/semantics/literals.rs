@@ -82,10 +82,9 @@ impl<'m> Lowering<'m> {
 pub(super) fn inferred_literal(literal: &Literal<'_>, negative: bool, dialect: &Dialect) -> Inferred {
     if let Some(prefix) = literal.prefix() {
         let ty = ElementaryType::from_literal_prefix(prefix.text);
-        return match ty.filter(|&ty| dialect.may_name(ty)) {
-            Some(ty) => Inferred::from(ty),
-            None => Inferred::Error,
-        };
+        return ty
+            .filter(|&ty| dialect.may_name(ty))
+            .map_or(Inferred::Error, Inferred::from);
     }
     match literal.kind {
         LiteralKind::Integer | LiteralKind::BasedInteger => {

@@ -81,11 +81,7 @@ impl LoweredValue {
 
 impl<'m> Lowering<'m> {
     /// Prepares lowering.
-    pub(super) fn new(
-        model: &'m Model<'m>,
-        memory: MemoryLayout,
-        reporter: &'m mut Reporter,
-    ) -> Lowering<'m> {
+    pub(super) fn new(model: &'m Model<'m>, memory: MemoryLayout, reporter: &'m mut Reporter) -> Self {
         Lowering {
             model,
             reporter,

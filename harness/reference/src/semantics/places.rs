@@ -35,7 +35,7 @@ impl<'m> Lowering<'m> {
                 let value = self.load(place);
                 self.emitter.set_line(before);
                 if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
-                    self.emitter.record(id, UseKind::BitRead { of });
+                    self.emitter.record(id, UseKind::BitRead(of));
                 }
                 value
             }

@@ -124,7 +124,7 @@ impl<'m> Lowering<'m> {
     /// Records that a part of a variable has been written, where the place is one.
     pub(super) fn record_written(&mut self, target: ExpressionId, place: VariablePlace) {
         if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
-            self.emitter.record(target, UseKind::BitWritten { of });
+            self.emitter.record(target, UseKind::BitWritten(of));
         }
     }
 

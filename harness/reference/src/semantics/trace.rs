@@ -54,16 +54,10 @@ pub enum UseKind {
         /// The type of the result.
         to: ElementaryType,
     },
-    /// The expression selects a bit that is read.
-    BitRead {
-        /// The type of what the bit is part of.
-        of: ElementaryType,
-    },
-    /// The expression selects a bit that is written.
-    BitWritten {
-        /// The type of what the bit is part of.
-        of: ElementaryType,
-    },
+    /// The expression selects a bit of a value of this type, and the bit is read.
+    BitRead(ElementaryType),
+    /// The expression selects a bit of a variable of this type, and the bit is written.
+    BitWritten(ElementaryType),
 }
 
 /// The uses of a program in the order in which they are lowered.
@@ -135,15 +129,12 @@ mod tests {
             rest[0],
             (
                 "b.1".to_owned(),
-                UseKind::BitRead { of },
+                UseKind::BitRead(of),
                 Some(Instruction::Part(bit(1)))
             )
         );
         let store = Instruction::StorePart { part: bit(3), of };
-        assert_eq!(
-            rest[2],
-            ("b.3".to_owned(), UseKind::BitWritten { of }, Some(store))
-        );
+        assert_eq!(rest[2], ("b.3".to_owned(), UseKind::BitWritten(of), Some(store)));
     }
 
     #[test]

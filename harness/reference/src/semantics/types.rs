@@ -5,7 +5,7 @@ use crate::instruction::RoutineId;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 use stickler_syntax::tree::{PointerForm, VariableKind};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, join};
 
 /// A type in the [`TypeTable`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -558,14 +558,14 @@ impl TypeTable {
                 format!("{} {}", pointer.form.as_str(), self.name(pointer.target))
             }
             TypeKind::Array(shape) => {
-                let limits = shape.dimensions.iter();
-                let limits: Vec<_> = limits
+                let limits = shape
+                    .dimensions
+                    .iter()
                     .map(|limit| match shape.is_variable_length() {
                         true => "*".to_owned(),
                         false => format!("{}..{}", limit.low, limit.high),
-                    })
-                    .collect();
-                format!("ARRAY[{}] OF {}", limits.join(", "), self.name(shape.element))
+                    });
+                format!("ARRAY[{}] OF {}", join(limits, ", "), self.name(shape.element))
             }
         }
     }

@@ -4,7 +4,7 @@ use stickler_mdtest::{Block, Difference, same};
 use stickler_reference::conversion::{
     Conversion, concatenation, conversion_function_name, function, implicit,
 };
-use stickler_types::{Dialect, DialectName, ElementaryType, RealText, Rounding, Value};
+use stickler_types::{Dialect, DialectName, ElementaryType, RealText, Rounding, Value, join};
 
 #[test]
 fn every_call_gives_what_its_row_says() {
@@ -146,7 +146,7 @@ fn forms(name: &str, dialect: &Dialect) -> String {
         .into_iter()
         .filter(|&from| function.accepts(from));
     let forms = taken.flat_map(|from| function.results(from).map(move |to| format!("{from} : {to}")));
-    forms.collect::<Vec<_>>().join(" | ")
+    join(forms, " | ")
 }
 
 /// Holds a value that converts implicitly in some dialect to what becomes of it there.

@@ -2,6 +2,7 @@
 
 use super::Kind;
 use stickler_run::{CaseEvent, Fact, Verdict};
+use stickler_types::join;
 
 /// A case of the older run: its verdict, and the expected and the actual facts as texts. Of a case that passed, the log has neither.
 pub(super) struct OlderCase {
@@ -89,11 +90,8 @@ pub(super) fn said(case: &CaseEvent, expected: Option<&str>) -> String {
     };
     let observed = case.observations.iter();
     let observed = observed.map(|observed| format!("{} = {}", observed.name, observed.value));
-    let facts: Vec<String> = std::iter::once(got)
-        .filter(|got| !got.is_empty())
-        .chain(observed)
-        .collect();
-    facts.join("\n")
+    let facts = std::iter::once(got).filter(|got| !got.is_empty()).chain(observed);
+    join(facts, "\n")
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
     Reproducer, Source, Verdict,
 };
-use stickler_types::{Contradiction, Relation, counted, grouped};
+use stickler_types::{Contradiction, Relation, counted, grouped, join};
 
 /// The maximum number of other claims that a page lists, those with the most cases first.
 const MAX_CLAIMS: usize = 6;
@@ -91,12 +91,10 @@ pub(super) fn index(
         called(name, about)
     );
     let pages = counted(causes as u64, "page", "pages");
-    text.push_str(&format!("{pages}, {words}\n\n"));
+    text += &format!("{pages}, {words}\n\n");
     if unexplained > 0 {
         let cases = counted(unexplained, "case", "cases");
-        text.push_str(&format!(
-            "No page has room for {cases} of other kinds; `events.jsonl.gz` has them.\n\n"
-        ));
+        text += &format!("No page has room for {cases} of other kinds; `events.jsonl.gz` has them.\n\n");
     }
     text
 }
@@ -109,11 +107,11 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for ((cause, _), number) in causes.iter().zip(1..) {
         let (cases, title) = (cause.number(), titled(&cause.headline()));
-        text.push_str(&format!(
+        text += &format!(
             "| {cases} | [{title}]({}) | {} |\n",
             file(number, cause),
             inline(&cause.shown.basis)
-        ));
+        );
     }
     text
 }
@@ -132,8 +130,7 @@ pub(crate) fn titled(title: &str) -> String {
 pub(super) fn file(number: usize, cause: &Cause) -> String {
     let title = cause.headline();
     let words = title.split(|character: char| !character.is_ascii_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let mut name = words.join("-");
+    let mut name = join(words.filter(|word| !word.is_empty()), "-");
     name.truncate(60);
     format!("{number:02}-{}.md", name.trim_end_matches('-'))
 }
@@ -148,7 +145,7 @@ pub(crate) fn page(
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(&cause.headline()));
     if let Some(case) = case {
-        text.push_str(&format!("{}.\n\n", inline(&case.title)));
+        text += &format!("{}.\n\n", inline(&case.title));
     }
     match shown.program.is_empty() && !shown.case.is_empty() {
         true => {
@@ -156,9 +153,7 @@ pub(crate) fn page(
                 "stickler reproduce '{}' --engine {name} DIR",
                 shown.case
             ));
-            text.push_str(&format!(
-                "{command} writes a program that shows it, and the commands.\n\n"
-            ));
+            text += &format!("{command} writes a program that shows it, and the commands.\n\n");
         }
         false => reproduction(&mut text, about, shown),
     }
@@ -188,18 +183,18 @@ pub(crate) fn page(
     }
     if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
         let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
-        text.push_str(&format!("{}\n\n", lines.trim_end()));
+        text += &format!("{}\n\n", lines.trim_end());
     }
     if let Some(told) = shown.neighbours_told() {
-        text.push_str(&format!("{told}\n\n"));
+        text += &format!("{told}\n\n");
     }
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
-        text.push_str(&format!("It is known: {}.\n\n", inline(&noted(note))));
+        text += &format!("It is known: {}.\n\n", inline(&noted(note)));
     }
     let rerun = about.filter(|_| !shown.case.is_empty());
     let rerun = rerun.map(|about| about.rerun(&shown.case, &shown.dialect));
-    text.push_str(&format!("Found by Stickler, in its dialect `{}`", shown.dialect));
+    text += &format!("Found by Stickler, in its dialect `{}`", shown.dialect);
     text.push_str(&match rerun.filter(|rerun| !rerun.is_empty()) {
         Some(rerun) => format!("; a case that shows it: {}\n", code(&without_folders(&rerun))),
         None => ".\n".to_owned(),
@@ -232,7 +227,7 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     let mut cited = overview.sources().iter().filter(own);
     let cited = cited.find(|source| source.key == claim.source);
     if let Some(limits) = cited.and_then(|source| source.limitations.get(claim.section)) {
-        text.push_str(&format!("The source limits what it promises: {limits}.\n\n"));
+        *text += &format!("The source limits what it promises: {limits}.\n\n");
     }
     let said = code.and_then(|code| {
         let mut own = overview.sources().iter().filter(own);
@@ -240,10 +235,10 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     });
     if let Some((source, code, lacks)) = said {
         let claim = linked(&format!("{}: {code}", source.key), &source.address_of(code));
-        text.push_str(&format!(
+        *text += &format!(
             "{claim} lists what may give this answer: {lacks}. Where a page promises one of these, the two pages contradict each \
              other.\n\n"
-        ));
+        );
     }
 }
 
@@ -290,9 +285,7 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
                 "So the claim does not bind it.".to_owned(),
             ),
         };
-        text.push_str(&format!(
-            "{publisher} {says_what}: {section} ({title}) {says}. {binds}"
-        ));
+        *text += &format!("{publisher} {says_what}: {section} ({title}) {says}. {binds}");
         text.truncate(text.trim_end().len());
         text.push_str("\n\n");
     }
@@ -305,22 +298,20 @@ fn rule(text: &mut String, shown: &Reproducer, overview: &Overview) {
         .source(source)
         .and_then(|source| source.paragraphs.get(section));
     if let Some(paragraph) = paragraph.filter(|_| section != "not-stated") {
-        text.push_str(&format!(
+        *text += &format!(
             "The rule is Stickler's own, and binds no compiler: {}\n\n",
             paragraph.trim()
-        ));
+        );
     }
 }
 
 /// Adds the outcomes of a program with which the compiler does not do the same each time.
 fn by_chance(text: &mut String, repeats: &Repeats) {
     let Repeats { seen, of, outcomes } = repeats;
-    text.push_str(&format!(
-        "**By chance:** this came in {seen} of {of} runs of the same program.\n\n"
-    ));
+    *text += &format!("**By chance:** this came in {seen} of {of} runs of the same program.\n\n");
     for RepeatedOutcome { got, runs } in outcomes {
         let shown = visible(&Fact::text(got)).replace('\n', "; ");
-        text.push_str(&format!("- {runs} of {of}: {}\n", code(&shown)));
+        *text += &format!("- {runs} of {of}: {}\n", code(&shown));
     }
     if !outcomes.is_empty() {
         text.push('\n');
@@ -373,7 +364,7 @@ fn first_lines(text: &str) -> String {
     let left = lines.count() as u64;
     let more = (left > 0).then(|| format!("… {}", counted(left, "more line", "more lines")));
     let lines = first.into_iter().map(str::to_owned).chain(more);
-    lines.collect::<Vec<_>>().join("\n")
+    join(lines, "\n")
 }
 
 /// Returns the claim with the source that makes it, as a link where that has an address of the web.
@@ -424,7 +415,7 @@ fn cases(text: &mut String, cause: &Cause) {
         (true, 1) => "case uses it and is refused; it waits for it",
         (true, _) => "cases use it and are refused; they wait for it",
     };
-    text.push_str(&format!("{} {shows}", grouped(number)));
+    *text += &format!("{} {shows}", grouped(number));
     let mut claims: BTreeMap<&str, u64> = BTreeMap::new();
     for some in &cause.cases {
         *claims.entry(some.basis.as_str()).or_default() += some.cases;
@@ -438,13 +429,10 @@ fn cases(text: &mut String, cause: &Cause) {
     let mut claims: Vec<_> = claims.into_iter().filter(|_| !cause.is_lack()).collect();
     claims.sort_by_key(|(_, cases)| Reverse(*cases));
     for (claim, cases) in claims.iter().take(MAX_CLAIMS) {
-        text.push_str(&format!("- {}: {cases}\n", inline(claim)));
+        *text += &format!("- {}: {cases}\n", inline(claim));
     }
     if let Some(others) = claims.get(MAX_CLAIMS..).filter(|others| !others.is_empty()) {
-        text.push_str(&format!(
-            "- {}\n",
-            counted(others.len() as u64, "other", "others")
-        ));
+        *text += &format!("- {}\n", counted(others.len() as u64, "other", "others"));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
     let mut listed: Vec<ExplainedCases> = Vec::new();
@@ -460,16 +448,16 @@ fn cases(text: &mut String, cause: &Cause) {
     }
     listed.sort_by_key(|some| Reverse(some.cases));
     for some in listed.iter().take(MAX_LISTED) {
-        text.push_str(&format!(
+        *text += &format!(
             "| {} | {} | {} |\n",
             some.cases,
             code(&some.probe),
             inline(&some.dialect)
-        ));
+        );
     }
     let rest: u64 = listed.iter().skip(MAX_LISTED).map(|some| some.cases).sum();
     if rest > 0 {
-        text.push_str(&format!("| {rest} | others | |\n"));
+        *text += &format!("| {rest} | others | |\n");
     }
     text.push('\n');
 }

@@ -4,7 +4,7 @@ use crate::basis::Basis;
 use crate::markdown::{fence, inline};
 use crate::text::visible;
 use stickler_run::{EngineHeader, Fact, Grade};
-use stickler_types::{Diagnostic, counted};
+use stickler_types::{Diagnostic, counted, join};
 
 /// The words about what no program may make of a compiler.
 const NO_CRASH: &str = "an answer, no crash";
@@ -53,8 +53,7 @@ impl Told<'_> {
     /// Returns what a compiler did, as text: without codes and lines that an adapter gave to its diagnostics, and where it names no fault
     /// with what it printed last.
     pub(super) fn text(&self, got: &[Fact]) -> String {
-        let lines: Vec<String> = got.iter().map(|fact| self.line(fact)).collect();
-        lines.join("\n")
+        join(got.iter().map(|fact| self.line(fact)), "\n")
     }
 
     fn line(&self, fact: &Fact) -> String {

@@ -42,9 +42,9 @@ pub(crate) enum RunLine<'r> {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(crate) struct GroupLine<'r> {
     /// The number of the group, from 0.
-    number: GroupNumber,
+    pub(super) number: GroupNumber,
     /// The common properties.
-    group: Cow<'r, Group>,
+    pub(super) group: Cow<'r, Group>,
 }
 
 /// An object about a case. Properties that it leaves out are empty or unknown.
@@ -119,36 +119,17 @@ impl<'r> PassedLine<'r> {
     }
 }
 
-impl<'r> GroupLine<'r> {
-    pub(super) const fn new(number: GroupNumber, group: &'r Group) -> GroupLine<'r> {
-        GroupLine {
-            number,
-            group: Cow::Borrowed(group),
-        }
-    }
-}
-
-impl AskedCase {
-    fn of(case: &CaseEvent) -> AskedCase {
-        AskedCase {
+impl<'r> CaseObject<'r> {
+    /// Returns the object about a case; `asked` is what the object before it asked, and becomes what this one asks.
+    pub(super) fn new(case: &'r CaseEvent, group: GroupNumber, asked: &'r mut Option<AskedCase>) -> Self {
+        let now = Some(AskedCase {
             case: Group::arguments(&case.id).to_owned(),
             expects: case.expectation,
             line: case.line,
             expected: case.expected.clone(),
             program: case.program.as_deref().map(|program| kept(program).into_owned()),
             question: case.question.clone(),
-        }
-    }
-}
-
-impl<'r> CaseObject<'r> {
-    /// Returns the object about a case; `asked` is what the object before it asked, and becomes what this one asks.
-    pub(super) fn new(
-        case: &'r CaseEvent,
-        group: GroupNumber,
-        asked: &'r mut Option<AskedCase>,
-    ) -> CaseObject<'r> {
-        let now = Some(AskedCase::of(case));
+        });
         let is_new = *asked != now;
         *asked = now;
         CaseObject {
@@ -235,7 +216,7 @@ impl Decoder {
             "group" => {
                 let record: GroupLine<'_> = serde_json::from_slice(line).map_err(broken)?;
                 if record.number != self.groups.len() {
-                    return Err(LogError::Reference { line: number });
+                    return Err(LogError::Reference(number));
                 }
                 self.groups.push(record.group.into_owned());
                 Ok(None)
@@ -256,7 +237,7 @@ impl Decoder {
         asked: Option<AskedCase>,
         number: u64,
     ) -> Result<Option<Event>, LogError> {
-        let unknown = LogError::Reference { line: number };
+        let unknown = LogError::Reference(number);
         let (Some(group), Some(asked)) = (self.groups.get(record.group), asked) else {
             return Err(unknown);
         };

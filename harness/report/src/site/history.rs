@@ -59,10 +59,8 @@ impl<'r> History<'r> {
     }
 
     /// Returns the steps of all engines, the newest first.
-    pub(super) fn newest_steps<'h>(
-        histories: &'h [History<'r>],
-    ) -> Vec<(&'h History<'r>, &'h VersionStep<'r>)> {
-        let of_each = |history: &'h History<'r>| history.steps.iter().map(move |step| (history, step));
+    pub(super) fn newest_steps<'h>(histories: &'h [Self]) -> Vec<(&'h Self, &'h VersionStep<'r>)> {
+        let of_each = |history: &'h Self| history.steps.iter().map(move |step| (history, step));
         let mut steps: Vec<_> = histories.iter().flat_map(of_each).collect();
         steps.sort_by_key(|(_, step)| Reverse(step.new.run.number));
         steps

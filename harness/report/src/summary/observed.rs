@@ -4,7 +4,7 @@ use super::BoundedMarkdown;
 use crate::markdown::{code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
-use stickler_types::{counted, joined};
+use stickler_types::{counted, join, joined};
 
 /// The maximum number of disagreements that are shown.
 const MAX_SHOWN: usize = 100;
@@ -34,14 +34,10 @@ pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
 /// Formats a disagreement: ``- `conversion/real::recorded(REAL,INT,2.5)`, `into`: INT#2 by ironplc and reference, INT#3 by
 /// matiec``
 fn line(disagreement: &Disagreement<'_>) -> String {
-    let values: Vec<String> = disagreement
-        .values
-        .iter()
-        .map(|(value, who)| {
-            let names: Vec<String> = who.iter().map(|name| inline(name)).collect();
-            format!("{} by {}", code(value), joined(&names, "and"))
-        })
-        .collect();
+    let values = disagreement.values.iter().map(|(value, who)| {
+        let names: Vec<String> = who.iter().map(|name| inline(name)).collect();
+        format!("{} by {}", code(value), joined(&names, "and"))
+    });
     let alike = match disagreement.cases {
         1 => String::new(),
         cases => {
@@ -56,6 +52,6 @@ fn line(disagreement: &Disagreement<'_>) -> String {
         "- {}, {}: {}{alike}\n",
         code(disagreement.id),
         code(disagreement.name),
-        values.join(", ")
+        join(values, ", ")
     )
 }

@@ -127,16 +127,13 @@ fn about(cause: &Cause) -> String {
     let mut text = visible(&cause.shown.basis);
     let claims: BTreeSet<&str> = cause.cases.iter().map(|some| some.basis.as_str()).collect();
     if claims.len() > 1 {
-        text.push_str(&format!(
+        text += &format!(
             ", and {}",
             counted(claims.len() as u64 - 1, "other claim", "other claims")
-        ));
+        );
     }
     if let Some(repeats) = &cause.flaky {
-        text.push_str(&format!(
-            "; by chance, in {} of {} runs",
-            repeats.seen, repeats.of
-        ));
+        text += &format!("; by chance, in {} of {} runs", repeats.seen, repeats.of);
     }
     text
 }

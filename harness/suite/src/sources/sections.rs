@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use stickler_types::{Code, ElementaryType, words};
+use stickler_types::{Code, ElementaryType, join, words};
 
 use crate::near::suggestion;
 
@@ -75,11 +75,7 @@ impl Sections {
 /// Returns the part of a heading's address that pages give it: lower-case words with hyphens between them.
 pub(super) fn anchor(heading: &str) -> String {
     let words = heading.split(|c: char| !c.is_alphanumeric());
-    let words: Vec<String> = words
-        .filter(|word| !word.is_empty())
-        .map(str::to_lowercase)
-        .collect();
-    words.join("-")
+    join(words.filter(|word| !word.is_empty()).map(str::to_lowercase), "-")
 }
 
 /// Returns the headings of the second level of a Markdown text, each with its line.

@@ -298,10 +298,7 @@ impl RowExpander<'_, '_> {
             }),
             None => self.maker.basis(probe, None, texts),
         };
-        let title = match own(self.special.title) {
-            Some(title) => title.into(),
-            None => self.maker.title(probe, None, texts),
-        };
+        let title = own(self.special.title).map_or_else(|| self.maker.title(probe, None, texts), Into::into);
         let group = DialectGroup {
             id: self.id(probe, texts).into(),
             line,

@@ -139,12 +139,7 @@ fn no_slash(name: &str) -> Result<(), String> {
 
 impl<'a> Probe<'a> {
     /// Returns a probe that has everything of this one but its program, which was put together of places.
-    pub(super) fn placed(
-        &self,
-        program: ProgramTemplate,
-        observe: Target,
-        placement: Placement,
-    ) -> Probe<'a> {
+    pub(super) fn placed(&self, program: ProgramTemplate, observe: Target, placement: Placement) -> Self {
         Probe {
             name: Arc::clone(&self.name),
             key: self.key,

@@ -23,6 +23,7 @@ mod shipped;
 use folders::{files, folder as folder_of};
 use stickler_mdtest::{Example, check_examples};
 use stickler_suite::{LintSeverity, Suite, lint};
+use stickler_types::join;
 
 /// Returns what an example wants of its files.
 fn shown(example: &Example) -> String {
@@ -39,23 +40,13 @@ fn shown(example: &Example) -> String {
             LintSeverity::Error => format!("error {}", brief(finding.what.to_string())),
             LintSeverity::Warning => format!("warning {}", brief(finding.what.to_string())),
         };
-        let found: Vec<String> = lint(&root, &["matiec", "rusty"])
-            .into_iter()
-            .map(finding)
-            .collect();
-        return found.join("\n");
+        return join(lint(&root, &["matiec", "rusty"]).into_iter().map(finding), "\n");
     }
     let suite = Suite::load(&root);
-    let mistakes: Vec<String> = suite
-        .errors
-        .iter()
-        .map(|error| brief(error.to_string()))
-        .collect();
-    let mistakes = mistakes.join("\n");
+    let mistakes = join(suite.errors.iter().map(|error| brief(error.to_string())), "\n");
     let ids = || {
         let listing = listing::listing(&suite.cases, false);
-        let ids: Vec<&str> = listing.lines().filter(|line| !line.starts_with(' ')).collect();
-        ids.join("\n")
+        join(listing.lines().filter(|line| !line.starts_with(' ')), "\n")
     };
     match example.wanted() {
         "mistakes" => mistakes,

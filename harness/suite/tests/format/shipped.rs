@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 use stickler_suite::{Acceptance, Case, Role, Suite, Wanted};
-use stickler_types::{Dialect, DialectName, Question};
+use stickler_types::{Dialect, DialectName, Question, join};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
 /// Basis: iec-61131-3: second edition, Annex C.
@@ -101,12 +101,8 @@ fn results_of_functions_of_reals_are_those_of_exact_arithmetic() {
 #[test]
 fn lint_has_nothing_to_say() {
     let suite = &*SHIPPED;
-    let findings: Vec<String> = suite
-        .findings()
-        .iter()
-        .map(|finding| finding.what.to_string())
-        .collect();
-    assert!(findings.is_empty(), "{}", findings.join("\n"));
+    let findings = join(suite.findings().iter().map(|finding| &finding.what), "\n");
+    assert!(findings.is_empty(), "{findings}");
     assert_eq!(suite.dialects.resolve("all").unwrap(), DialectName::ALL);
     let but = suite.dialects.resolve("all but ironplc matiec").unwrap();
     assert_eq!(but, DialectName::ALL[4..]);

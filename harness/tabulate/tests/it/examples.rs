@@ -5,7 +5,7 @@ use stickler_mdtest::{Example, check_examples};
 use stickler_tabulate::call::Call;
 use stickler_tabulate::table::Table;
 use stickler_tabulate::{folder, generate, inputs};
-use stickler_types::{DialectName, ElementaryType, WrittenValue};
+use stickler_types::{DialectName, ElementaryType, WrittenValue, join};
 
 fn ty(name: &str) -> ElementaryType {
     ElementaryType::from_name(name).unwrap_or_else(|| panic!("`{name}` is no type"))
@@ -21,10 +21,7 @@ fn operands(example: &Example) -> String {
     let operands = inputs::operands(&entries, ty(example.text("from")), ty(example.text("to")));
     operands.map_or_else(
         |message| message,
-        |operands| {
-            let literals: Vec<&str> = operands.iter().map(|operand| &*operand.literal).collect();
-            literals.join(" ")
-        },
+        |operands| join(operands.iter().map(|operand| &*operand.literal), " "),
     )
 }
 
@@ -38,7 +35,7 @@ fn golden_calls() {
     check_examples("tests/examples/calls.md", |example| {
         if let Some(head) = example.get("generate") {
             let calls = generate::calls(&toml::from_str(head).unwrap());
-            let texts = |calls: Vec<Call>| calls.iter().map(Call::to_string).collect::<Vec<_>>().join(" ");
+            let texts = |calls: Vec<Call>| join(calls, " ");
             return calls.map_or_else(|message| message, texts);
         }
         let operand = WrittenValue::parse(ty(example.text("from")), example.text("input")).unwrap();
@@ -61,14 +58,10 @@ fn golden_tables() {
         let calls = || table.calls();
         let shown = match example.wanted() {
             "is of calls" => Ok(table.is_of_calls().to_string()),
-            "calls" => calls().map(|calls| calls.iter().map(Call::to_string).collect::<Vec<_>>().join(" ")),
-            "expected" => calls().and_then(|calls| table.expected(&calls[0])).map(|agreed| {
-                agreed
-                    .into_iter()
-                    .map(|one| one.value)
-                    .collect::<Vec<_>>()
-                    .join(" or ")
-            }),
+            "calls" => calls().map(|calls| join(calls, " ")),
+            "expected" => calls()
+                .and_then(|calls| table.expected(&calls[0]))
+                .map(|agreed| join(agreed.into_iter().map(|one| one.value), " or ")),
             _ => calls().and_then(|calls| Ok(table.with_rows(&table.rows_of(&calls)?))),
         };
         shown.unwrap_or_else(|message| message)

@@ -37,10 +37,7 @@ pub(crate) fn overrides(keys: &DeTable<'_>, whose: &str, draft: &mut Draft<'_>) 
         }
     }
     // Which types there are depends on the tables before it.
-    match find("implicit")? {
-        Some(keys) => implicit(keys, draft),
-        None => Ok(()),
-    }
+    find("implicit")?.map_or(Ok(()), |keys| implicit(keys, draft))
 }
 
 /// Reads the keys of a table of choices; `whose` names the table in messages.

@@ -72,11 +72,7 @@ struct DurationPart {
 }
 
 impl DurationPart {
-    fn read(
-        bytes: &[u8],
-        start: usize,
-        units: &'static [(&'static str, u64)],
-    ) -> Result<DurationPart, LiteralError> {
+    fn read(bytes: &[u8], start: usize, units: &'static [(&'static str, u64)]) -> Result<Self, LiteralError> {
         let whole = digits_at(bytes, start)?;
         let mut at = start + whole.len();
         let mut fraction: &[u8] = &[];

@@ -8,7 +8,7 @@ use stickler_mdtest::{Difference, same};
 use stickler_types::boundaries::boundaries;
 use stickler_types::literal::{self, LiteralError};
 use stickler_types::{
-    ClockSetting, ElementaryType, Question, Value, Versions, WrittenValue, counted, grouped,
+    ClockSetting, ElementaryType, Question, Value, Versions, WrittenValue, counted, grouped, join,
 };
 
 #[test]
@@ -34,11 +34,7 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
         "date-and-time" => |text| read(literal::date_and_time(text)),
         "text" => |text| match literal::text(text) {
             Ok(units) if units.is_empty() => "-".to_owned(),
-            Ok(units) => units
-                .iter()
-                .map(|unit| format!("{unit:X}"))
-                .collect::<Vec<_>>()
-                .join(" "),
+            Ok(units) => join(units.iter().map(|unit| format!("{unit:X}")), " "),
             Err(error) => described(error),
         },
         "write-milliseconds" => |number| written(literal::write_milliseconds, number),

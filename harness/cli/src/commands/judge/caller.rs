@@ -3,7 +3,7 @@
 use crate::source_file::running;
 use anyhow::Context;
 use stickler_syntax::tree::{Pou, PouKind, SourceUnit, VariableGroup, VariableKind};
-use stickler_types::{Dialect, DialectName};
+use stickler_types::{Dialect, DialectName, join};
 
 /// The program that calls.
 const CALLER: &str = "stickler_judge";
@@ -102,8 +102,7 @@ fn called<'t, 's>(unit: &'t SourceUnit<'s>, named: Option<&str>) -> anyhow::Resu
     let callable: Vec<&Pou<'_>> = unit.pous().filter(is_called).collect();
     let found = callable.iter().find(|pou| pou.name.is(name)).copied();
     found.with_context(|| {
-        let names: Vec<&str> = callable.iter().map(|pou| pou.name.text).collect();
-        let names = names.join(", ");
+        let names = join(callable.iter().map(|pou| pou.name.text), ", ");
         format!("there is no function block or function `{name}`; there are: {names}")
     })
 }

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::io::{self, Write};
 use stickler_conversions::table::{Cell, Table};
 use stickler_suite::{Case, Feature, Features, Placement};
-use stickler_types::{DialectName, grouped};
+use stickler_types::{DialectName, grouped, join};
 use stickler_workers::{SpawnError, WorkerPool};
 
 /// The numbers of a dialect, or of all dialects together.
@@ -116,7 +116,7 @@ pub(super) fn write_features(
         let rows = tables
             .iter()
             .map(|(edition, rows)| format!("{rows} (edition {edition})"));
-        let rows = rows.collect::<Vec<_>>().join("; ");
+        let rows = join(rows, "; ");
         writeln!(
             out,
             "{cases:>8}  {BOLD}{key:width$}{BOLD:#}  {title}  {DIM}{rows}{DIM:#}"
@@ -191,9 +191,8 @@ fn write_table(out: &mut dyn Write, title: &str, table: &BTreeMap<(&str, &str), 
         }
         writeln!(out)?;
     }
-    let names: Vec<String> = (1..)
+    let names = (1..)
         .zip(&columns)
-        .map(|(number, name)| format!("{number} {name}"))
-        .collect();
-    writeln!(out, "{DIM}{}{DIM:#}", names.join(" · "))
+        .map(|(number, name)| format!("{number} {name}"));
+    writeln!(out, "{DIM}{}{DIM:#}", join(names, " · "))
 }

@@ -47,10 +47,7 @@ impl ReproducedProgram {
     ///
     /// # Errors
     /// No such case.
-    pub(super) fn of_case(
-        name: &str,
-        arguments: &ReproduceArguments,
-    ) -> anyhow::Result<Vec<ReproducedProgram>> {
+    pub(super) fn of_case(name: &str, arguments: &ReproduceArguments) -> anyhow::Result<Vec<Self>> {
         let named = NamedCase::load(name, arguments.cases.as_deref())?;
         let cases = named.cases().into_iter();
         Ok(cases

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use stickler_conversions::all_functions;
-use stickler_types::{grouped_by_key, wrap};
+use stickler_types::{grouped_by_key, join, wrap};
 
 /// Lists all conversion functions on stderr where no dialect has the named one. The list is long, so the caller's error message
 /// about the name follows it.
@@ -25,7 +25,7 @@ fn list(names: &[String]) -> String {
     let paragraphs = families
         .iter()
         .map(|(family, rests)| wrap(&format!("{family} {}", rests.join(" ")).replace(" \n", "\n")));
-    paragraphs.collect::<Vec<_>>().join("\n").trim_end().to_owned()
+    join(paragraphs, "\n").trim_end().to_owned()
 }
 
 /// Splits a name into the beginning that it shares with others, and the rest; names without types follow `also:`.

@@ -4,7 +4,7 @@ use super::page::{SweepPage, shown};
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
-use stickler_types::{Value, wrap};
+use stickler_types::{Value, join, wrap};
 use stickler_types::{counted, grouped};
 
 impl SweepPage<'_> {
@@ -65,8 +65,7 @@ impl SweepPage<'_> {
 
     fn unanswered(&mut self, reason: &Unanswered) -> io::Result<()> {
         let inputs = counted(reason.inputs, "input", "inputs");
-        let example: Vec<String> = reason.example.iter().map(shown as fn(&Value) -> String).collect();
-        let example = example.join(", ");
+        let example = join(reason.example.iter().map(shown as fn(&Value) -> String), ", ");
         self.paragraph(&format!(
             "{inputs} without an answer, first {example}: the engine {}",
             reason.refusal

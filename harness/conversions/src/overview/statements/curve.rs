@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 use stickler_exact::{Expected, Signature, expected};
-use stickler_types::{DialectName, ElementaryType, Value, WordTable};
+use stickler_types::{DialectName, ElementaryType, Value, WordTable, join};
 
 /// The curve of a function. Each text is the number of a word, and a list of items for the samples with blanks between them: `3*item` is three
 /// times that item. A number is in quarters of 1, or of a millisecond.
@@ -22,11 +22,7 @@ pub(super) struct Curve {
 
 impl Curve {
     /// Returns the curve of a function in its dialects; `None` where a table shows as much, as of texts and of what always fits.
-    pub(super) fn of(
-        signature: &Signature,
-        dialects: &[DialectName],
-        words: &mut WordTable,
-    ) -> Option<Curve> {
+    pub(super) fn of(signature: &Signature, dialects: &[DialectName], words: &mut WordTable) -> Option<Self> {
         let axis = axis(signature)?;
         let mut rules = Vec::new();
         let mut of = Vec::with_capacity(dialects.len());
@@ -186,5 +182,5 @@ fn runs(items: impl Iterator<Item = String>) -> String {
         1 => run[0].clone(),
         number => format!("{number}*{}", run[0]),
     });
-    written.collect::<Vec<_>>().join(" ")
+    join(written, " ")
 }
