@@ -2,12 +2,12 @@
 
 use crate::program::{Part, ReadProgram};
 use crate::words::{tokens, words};
-use stickler_syntax::names::DeclaredName;
+use stickler_syntax::names::{DeclaredKind, DeclaredName};
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
 use stickler_syntax::tree::{
-    Declaration, Initializer, Pou, PouKind, StatementKind, TypeDeclaration, TypeSpecification,
-    TypeSpecificationKind, VariableBlock,
+    Argument, Declaration, Initializer, Pou, PouKind, StatementKind, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableBlock, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 
@@ -81,6 +81,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     for entry in declared_in_empty(program, &shown)
         .into_iter()
         .chain(parameters(program, number))
+        .chain(left_out(program, number))
     {
         if types.len() < MAX_TYPES && !types.contains(&entry) {
             types.push(entry);
@@ -145,6 +146,30 @@ fn parameters(program: &ReadProgram<'_, '_>, number: u32) -> Vec<String> {
         declared_as(program, program.names.iter().find(is_it)?)
     };
     given.filter_map(parameter).collect()
+}
+
+/// Returns the inputs that the calls of the program's own functions in a line leave out, with their types; none where they give values
+/// without names.
+fn left_out(program: &ReadProgram<'_, '_>, number: u32) -> Vec<String> {
+    let here = |part: &&Part<'_, '_>| program.line(part.expression.span) == number;
+    let left_out = |part: &Part<'_, '_>| {
+        let (callee, arguments) = program.call(part.id)?;
+        let unit = program
+            .unit_of(callee)
+            .filter(|unit| unit.kind == PouKind::Function)?;
+        let is_input = |one: &&DeclaredName<'_, '_>| {
+            let is_given = |argument: &Argument<'_>| match argument {
+                Argument::Named { name, .. } => one.name.is(name.text),
+                _ => true,
+            };
+            one.kind == DeclaredKind::Variable(VariableKind::Input)
+                && one.inside.is_some_and(|pou| pou.span == unit.span)
+                && !arguments.iter().any(is_given)
+        };
+        let name = program.names.iter().find(is_input)?;
+        Some(declared_as(program, name)? + " left out")
+    };
+    program.parts.iter().filter(here).filter_map(left_out).collect()
 }
 
 /// Returns the code of a line with what it says nothing without: the selector of a CASE label, and the end of what has no statements.

@@ -1,7 +1,7 @@
 //! The order of the passes over a text, and the functions that run them.
 
 use crate::draft::{self, TextDraft};
-use crate::passes::literals::{LiteralStep, lessen};
+use crate::passes::literals::{LiteralStep, drop_types, lessen};
 use crate::passes::{arrays, chunks, declarations, expressions, initial_values, parameters, statements};
 use crate::rules::ReferenceRules;
 use crate::{
@@ -78,6 +78,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         view,
         LiteralStep::Decimal
     )),
+    text_pass!("drop the types of literals", drop_types),
     text_pass!("make literals zero", |view| lessen(view, LiteralStep::Zero)),
     text_pass!("make literals one", |view| lessen(view, LiteralStep::One)),
     text_pass!("halve literals", |view| lessen(view, LiteralStep::Half)),

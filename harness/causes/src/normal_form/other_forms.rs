@@ -59,12 +59,13 @@ const OF_ACCEPTED: [(&str, Form); 1] = [(
 
 /// The kinds of literals that an engine reads whatever stands in them, each with the form of a program that has nothing right in them.
 const OF_LITERALS: [(&str, Form); 2] = [
-    ("durations are not checked", |program| {
+    ("whatever stands in a duration is accepted", |program| {
         ways::with_wrong_moment(program, true)
     }),
-    ("dates and times of day are not checked", |program| {
-        ways::with_wrong_moment(program, false)
-    }),
+    (
+        "whatever stands in a date or time of day is accepted",
+        |program| ways::with_wrong_moment(program, false),
+    ),
 ];
 
 /// A program with a variable that is not declared.

@@ -36,6 +36,22 @@ pub(crate) fn lessen(view: &TextView<'_>, step: LiteralStep) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
+/// Leaves out the types of truth values, numbers and texts, so that a type stays only where it matters.
+pub(crate) fn drop_types(view: &TextView<'_>) -> Vec<Edits> {
+    use LiteralKind::*;
+    let mut changes = Vec::new();
+    for (_, expression) in view.expressions() {
+        if let ExpressionKind::Literal(literal) = &expression.kind
+            && let Some(prefix) = literal.prefix()
+            && !matches!(literal.kind, Duration | Date | TimeOfDay | DateAndTime)
+        {
+            let span = prefix.span;
+            changes.push(Edits::replacing(span.start as usize..span.end as usize + 1, ""));
+        }
+    }
+    view.only_allowed(changes)
+}
+
 /// Returns the text of a literal without its prefix, made smaller; `None` if that changes nothing.
 fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
     let smaller = match kind {
