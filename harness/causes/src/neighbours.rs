@@ -205,6 +205,8 @@ impl Asking<'_> {
                 return Ok::<_, EngineError>(None);
             }
             let seen = asked.deviation(case)?;
+            // What is not accepted is found, whatever is said of it.
+            let seen = seen.filter(|seen| seen.sign.accepts() || !member.sign.accepts());
             let is_same = seen.as_ref().is_none_or(|seen| {
                 is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
             });
