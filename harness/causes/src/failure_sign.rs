@@ -9,7 +9,7 @@ use crate::shape::{KeptTypes, shape, token_at};
 use crate::words::words;
 use crate::work::{Role, words_of, works};
 use stickler_run::{Fact, Grade, Symptom, Verdict};
-use stickler_types::{Code, Family, Value};
+use stickler_types::{Code, Family, Value, join};
 
 /// The differences of a wrong number that no rounding explains, as [`Sign::at`] tells them.
 const TOO_GREAT: &str = "too great";
@@ -57,8 +57,7 @@ impl Sign {
             _ => "",
         };
         let words = [&self.symptom.word(), reported, &self.at].map(str::to_owned);
-        let words: Vec<String> = words.into_iter().filter(|word| !word.is_empty()).collect();
-        words.join(" ")
+        join(words.into_iter().filter(|word| !word.is_empty()), " ")
     }
 
     /// Returns whether the engine rejects a program with a mistake, but says something else of it.

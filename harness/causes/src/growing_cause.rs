@@ -4,7 +4,7 @@ use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
-use crate::failure_sign::{Sign, has_lost_place, is_of_reading, is_unread};
+use crate::failure_sign::{Sign, has_lost_place, is_of_a_value, is_of_reading, is_unread};
 use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
 use crate::line_features::{STANDARD_PARAMETER, lacked_function};
@@ -273,6 +273,8 @@ impl GrowingCause {
             self.essence.pattern.is_some_and(is_whatever_comes) && self.sign.symptom != Symptom::Value,
             // Behind what cannot be read, many a compiler tells nothing.
             matches!(&self.sign.symptom, Symptom::Incomplete(code) if is_of_reading(code)),
+            // A mistake that a compiler finds alone shows best that another one hides it: most find values of a wrong type.
+            matches!(&self.sign.symptom, Symptom::Incomplete(code) if !is_of_a_value(code)),
             self.cause.shown.is_derived,
             self.rank,
             operations(program).len(),

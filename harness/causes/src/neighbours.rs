@@ -72,19 +72,19 @@ impl Asking<'_> {
             if let Some(first) = first_wrong(&neighbours) {
                 member.cause.title += &format!(", from {first} on");
             }
-            if let Some(named) = neighbours.iter().find(|one| one.by == OTHER_NAME) {
-                member.cause.title += &format!(", by the name {}", named.replaced);
-            }
-            let is_as = |one: &&Neighbour| one.by == UNDECLARED && one.is_same;
-            if neighbours.iter().any(|one| is_as(&one)) && matches!(member.sign.symptom, Symptom::Crash(_)) {
-                member.cause.title += ", as with a type that is not declared";
-            }
-            if let Some(blank) = neighbours.iter().find(|one| one.replaced.starts_with("` ")) {
-                member.cause.title += &format!(", with a blank before {}", blank.by);
-            }
-            if neighbours.iter().any(|one| one.replaced == IN_PROGRAM) {
-                member.cause.title += ", in a PROGRAM but not in a FUNCTION_BLOCK";
-            }
+            let crashes = matches!(member.sign.symptom, Symptom::Crash(_));
+            let decides = |Neighbour {
+                               replaced,
+                               by,
+                               is_same,
+                           }: &Neighbour| match by.as_str() {
+                OTHER_NAME => Some(format!(", by the name {replaced}")),
+                UNDECLARED if *is_same && crashes => Some(", as with a type that is not declared".to_owned()),
+                _ if replaced.starts_with("` ") => Some(format!(", with a blank before {by}")),
+                _ if replaced == IN_PROGRAM => Some(", in a PROGRAM but not in a FUNCTION_BLOCK".to_owned()),
+                _ => None,
+            };
+            member.cause.title += &neighbours.iter().find_map(decides).unwrap_or_default();
             let own = format!("`{}`", member.cause.shown.dialect);
             let others = || neighbours.iter().filter(|one| one.replaced == own);
             if others().next().is_some() && others().all(|one| !one.is_same) {
@@ -402,12 +402,7 @@ fn in_block(program: &ReadProgram<'_, '_>) -> Option<(Neighbour, String)> {
         ..neighbour("PROGRAM", "FUNCTION_BLOCK")
     };
     let block = with_types(program.text, &[("PROGRAM", "FUNCTION_BLOCK")]);
-    (pou.kind == PouKind::Program).then(|| {
-        (
-            neighbour,
-            block.replace("END_PROGRAM", "END_FUNCTION_BLOCK") + CALLER,
-        )
-    })
+    (pou.kind == PouKind::Program).then(|| (neighbour, block + CALLER))
 }
 
 /// Returns the numbers of a program, each with plainer ones that may stand in its place, the plainest first: other digits of a location, an

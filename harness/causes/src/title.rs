@@ -279,7 +279,10 @@ impl Titled<'_, '_> {
             return format!("{line}: {mistake} is reported once more, without its place");
         }
         let (line, message) = (self.line(extra.line), said(&extra));
-        format!("{line} is reported beside the mistake: {message}")
+        match extra.line == wanted.line {
+            true => format!("{line}: the mistake is reported twice, also as {message}"),
+            false => format!("{line} is reported beside the mistake: {message}"),
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use stickler_syntax::tree::{
     UnaryOperator,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::{DialectName, ElementaryType, Family};
+use stickler_types::{DialectName, ElementaryType, Family, join};
 
 /// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
 /// the type of the target; `None` where it has no statement that does both.
@@ -63,7 +63,8 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
 fn calculated(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<(ElementaryType, ExpressionId)> {
     let (operator, left, right) = binary(program, id)?;
     let own = |id| program.type_of(id).or_else(|| Some(calculated(program, id)?.0));
-    (calculates(operator) && own(left) == own(right)).then_some((own(left)?, left))
+    let ty = own(left)?;
+    (calculates(operator) && own(right) == Some(ty)).then_some((ty, left))
 }
 
 /// Returns a program with the numbers that are arguments of a function of its own assigned to variables first, which have the types of the
@@ -169,10 +170,8 @@ pub(crate) fn with_ordered_arguments(program: &ReadProgram<'_, '_>) -> Option<St
         }
         ordered.sort_by_key(|(place, ..)| *place);
         let ordered = ordered.into_iter();
-        let ordered: Vec<String> = ordered
-            .map(|(_, name, value)| format!("{name} := {}", program.text(value)))
-            .collect();
-        let call = format!("{function}({})", ordered.join(", "));
+        let ordered = ordered.map(|(_, name, value)| format!("{name} := {}", program.text(value)));
+        let call = format!("{function}({})", join(ordered, ", "));
         Some(Edits::replacing(part.expression.span, call).apply(program.text))
     })
 }
@@ -203,20 +202,16 @@ pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Opti
     })
 }
 
-/// Returns a program with comparisons in the place of the truth values that are operands or arguments; `None` where it has none.
+/// Returns a program with comparisons in the place of the truth values in its statements.
 pub(crate) fn with_comparisons(program: &ReadProgram<'_, '_>) -> Option<String> {
     let mut edits = Edits::new();
-    let is_truth = |kind: &ExpressionKind<'_>| matches!(kind, ExpressionKind::Literal(literal) if literal.kind == LiteralKind::Boolean);
-    let mut parts = program.parts.iter();
-    let is_any = parts.any(|part| part.place != Place::Value && is_truth(&part.expression.kind));
-    for part in program
-        .parts
-        .iter()
-        .filter(|part| is_truth(&part.expression.kind))
-    {
-        edits.replace(part.expression.span, "(0 = 0)");
+    for part in &program.parts {
+        if matches!(&part.expression.kind, ExpressionKind::Literal(literal) if literal.kind == LiteralKind::Boolean)
+        {
+            edits.replace(part.expression.span, "(0 = 0)");
+        }
     }
-    is_any.then(|| edits.apply(program.text))
+    Some(edits.apply(program.text))
 }
 
 /// Returns a program with a duration, or with a date or a time of day, of which nothing is right in the place of each that is wrong where

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
+use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value, join};
 
 /// One thing that a case expects, or that an engine did.
 ///
@@ -141,8 +141,7 @@ pub enum Fact {
 impl Fact {
     /// Returns the text of several facts: their lines in order, joined by line feeds.
     pub fn text(facts: &[Fact]) -> String {
-        let lines: Vec<String> = facts.iter().map(ToString::to_string).collect();
-        lines.join("\n")
+        join(facts, "\n")
     }
 
     /// Returns a fingerprint of several facts: a hash of their text, the same on every machine and in every version.
@@ -226,10 +225,7 @@ impl fmt::Display for Fact {
             Fact::Value { name, value } => write!(f, "{} = {value}", OneLine(name)),
             Fact::MissingValue { name } => write!(f, "{} is missing", OneLine(name)),
             Fact::OtherValue { name } => write!(f, "{} is another value", OneLine(name)),
-            Fact::Rendered { lines } => {
-                let lines: Vec<String> = lines.iter().map(|line| OneLine(line).to_string()).collect();
-                f.write_str(&lines.join("\n"))
-            }
+            Fact::Rendered { lines } => f.write_str(&join(lines.iter().map(|line| OneLine(line)), "\n")),
             Fact::NotRendered { again, rejection } => {
                 f.write_str(if *again {
                     "rendering the rendered text"
