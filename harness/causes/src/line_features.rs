@@ -198,6 +198,14 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 false => self.place().to_owned(),
             });
         }
+        // Where one function of the library takes arguments of any type, most do.
+        let is_of_library = |part: &Part<'_, '_>| {
+            let name = self.program.text(part.id);
+            self.is_on_line(part.expression.span) && !self.program.declares(name) && converted(name).is_none()
+        };
+        if is_unchecked && self.program.at(Place::Callee).any(is_of_library) {
+            features = Words::from(["argument of a standard function".to_owned()]);
+        }
         // A compiler that does not look at located variables checks nothing of them.
         let is_located = |word: &&str| {
             let group = self.program.group(word);

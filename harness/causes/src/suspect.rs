@@ -55,7 +55,9 @@ pub(crate) fn culprit(program: &ReadProgram<'_, '_>) -> u32 {
     // A statement that a program only needs to have one says less than a variable of a type of the program's own.
     let is_filling = |line: &str| matches!(words(line)[..], [_, ":=", "TRUE" | "0", ";"]);
     let is_of_own = |line: &str| matches!(words(line)[..], [_, ":", ty, ";"] if program.declares(ty));
+    let is_begun = |line: &str| matches!(words(line)[..], [_, ":", ty, ":=", ..] if program.declares(ty));
     let weighed = |(line, number): &(&str, u32)| match weight(line) {
+        _ if is_begun(line) => 5,
         _ if leads(line) || is_filling(line) => 1,
         1 if special_section(program, *number).is_some() => 3,
         1 if is_of_own(line) => 2,
