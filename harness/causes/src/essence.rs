@@ -414,6 +414,10 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
         features.remove(LITERAL);
         features.insert("constant".to_owned());
     }
+    // Which function is not declared does not matter.
+    if code == Code::FunctionCallUndeclared.as_str() {
+        features = words(["call"]);
+    }
     // Whether a variable or a part that does not exist is read or assigned does not matter.
     if code == Code::VariableUndefined.as_str() {
         features.retain(|feature| feature != LITERAL && !LINE_PLACES.contains(&feature.as_str()));

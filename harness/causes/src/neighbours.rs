@@ -73,15 +73,15 @@ impl Asking<'_> {
                 member.cause.title += &format!(", from {first} on");
             }
             let crashes = matches!(member.sign.symptom, Symptom::Crash(_));
-            let decides = |Neighbour {
-                               replaced,
-                               by,
-                               is_same,
-                           }: &Neighbour| match by.as_str() {
-                OTHER_NAME => Some(format!(", by the name {replaced}")),
-                UNDECLARED if *is_same && crashes => Some(", as with a type that is not declared".to_owned()),
-                _ if replaced.starts_with("` ") => Some(format!(", with a blank before {by}")),
-                _ if replaced == IN_PROGRAM => Some(", in a PROGRAM but not in a FUNCTION_BLOCK".to_owned()),
+            let decides = |one: &Neighbour| match one.by.as_str() {
+                OTHER_NAME => Some(format!(", by the name {}", one.replaced)),
+                UNDECLARED if one.is_same && crashes => {
+                    Some(", as with a type that is not declared".to_owned())
+                }
+                by if one.replaced.starts_with("` ") => Some(format!(", with a blank before {by}")),
+                _ if one.replaced == IN_PROGRAM => {
+                    Some(", in a PROGRAM but not in a FUNCTION_BLOCK".to_owned())
+                }
                 _ => None,
             };
             member.cause.title += &neighbours.iter().find_map(decides).unwrap_or_default();

@@ -145,13 +145,9 @@ impl Titled<'_, '_> {
                 let place = compiler_place(got).map(|place| format!(" at {place}{says}"));
                 let reason = place.unwrap_or_else(|| format!(": {reason}"));
                 let wrong = wanted.code.as_deref().and_then(|code| self.wrong(code));
-                let on_line = || {
-                    let mut errors = errors(self.program.text, DialectName::IEC_ED3).into_iter();
-                    let line = wanted.line?;
-                    errors
-                        .find(|error| error.line == Some(line))
-                        .map(|error| error.message)
-                };
+                let is_there = |error: &Diagnostic| error.line.is_some() && error.line == wanted.line;
+                let errors = errors(self.program.text, DialectName::IEC_ED3);
+                let on_line = || Some(errors.into_iter().find(is_there)?.message);
                 let wrong = wrong.or_else(on_line);
                 let wrong = wrong.map_or(String::new(), |wrong| format!(", where {wrong},"));
                 format!("{}{wrong} makes it crash{reason}", self.line_in_unit(wanted.line))
