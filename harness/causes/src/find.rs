@@ -293,15 +293,16 @@ impl Asking<'_> {
                     };
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, &stop)?;
-                    let mut found = ReducedGroup {
+                    // Without its plainest form a program may show another cause than it seems to.
+                    if stop() && smallest.reduction == Reduced::Smallest {
+                        smallest.reduction = Reduced::Partly;
+                    }
+                    let found = ReducedGroup {
                         is_open: smallest.reduction == Reduced::Partly || normal.questions >= left,
                         smallest,
                         normal,
                         differs: event.verdict == Verdict::Differs,
                     };
-                    if (self.stop)() {
-                        found.end_partly();
-                    }
                     Ok(found.without_codes(&event.basis, asked))
                 }
                 _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(&event.basis, asked)),

@@ -14,7 +14,6 @@ use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
 use crate::words::{elementary, has_word, tokens};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 use stickler_engines::EngineError;
 use stickler_reference::errors;
 use stickler_run::{Neighbour, RunError, Symptom};
@@ -123,9 +122,9 @@ impl Asking<'_> {
             let is_valid = member.sign.rejects_valid() && errors(program, known.dialect).is_empty();
             is_valid.then(|| Case {
                 source: program.into(),
-                observe: Arc::default(),
+                observe: Default::default(),
                 scans: 0,
-                expectation: Arc::default(),
+                expectation: Default::default(),
                 ..(*known).clone()
             })
         };
