@@ -227,10 +227,10 @@ impl Cause {
         !self.is_lack() && self.cases.iter().all(|some| some.verdict == Verdict::Differs)
     }
 
-    /// Returns whether the questions were spent before the shown program was as small as it can be, or what it shows came by chance and
-    /// never again.
+    /// Returns whether the questions were spent before the shown program was as small as it can be, or it shows something that came once.
     pub fn is_partly_reduced(&self) -> bool {
-        self.reduction == Reduced::Partly || self.flaky.is_some() && self.reduction == Reduced::Not
+        let is_once = self.flaky.as_ref().is_some_and(|repeats| repeats.seen <= 1);
+        self.reduction == Reduced::Partly || is_once && self.reduction == Reduced::Not
     }
 
     /// Returns whether two causes are the same, found in two parts of a run.
