@@ -228,7 +228,7 @@ impl Asking<'_> {
                     match found[at].questions() == 0 || smaller.distance() <= found[at].distance() {
                         true => found[at] = smaller,
                         // What was not asked to its end may show another cause.
-                        false if (self.stop)() => found[at].end_partly(),
+                        false if (self.stop)() => found[at].smallest.end_partly(),
                         false => found[at].is_open = false,
                     }
                 }
@@ -294,8 +294,8 @@ impl Asking<'_> {
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, &stop)?;
                     // Without its plainest form a program may show another cause than it seems to.
-                    if stop() && smallest.reduction == Reduced::Smallest {
-                        smallest.reduction = Reduced::Partly;
+                    if stop() {
+                        smallest.end_partly();
                     }
                     let found = ReducedGroup {
                         is_open: smallest.reduction == Reduced::Partly || normal.questions >= left,

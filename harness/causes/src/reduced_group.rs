@@ -45,13 +45,6 @@ impl ReducedGroup {
         self.smallest.program.len() > LONG
     }
 
-    /// Notes that no question was left for the rest of the search.
-    pub(crate) fn end_partly(&mut self) {
-        if self.smallest.reduction == Reduced::Smallest {
-            self.smallest.reduction = Reduced::Partly;
-        }
-    }
-
     /// Removes the codes from the expected diagnostics where the engine is not asked for them.
     pub(crate) fn without_codes(mut self, basis: &str, asked: &Questioner<'_>) -> ReducedGroup {
         for deviation in [&mut self.smallest.deviation, &mut self.normal.deviation] {

@@ -51,6 +51,13 @@ impl Smallest {
         }
     }
 
+    /// Notes that no question was left for the rest of the search.
+    pub(crate) fn end_partly(&mut self) {
+        if self.reduction == Reduced::Smallest {
+            self.reduction = Reduced::Partly;
+        }
+    }
+
     /// Returns the program of a case as it is, without blank lines.
     pub(crate) fn unreduced(event: &CaseEvent, sign: &Sign) -> Smallest {
         let (program, lines) = without_blank_lines(event.program.as_deref().unwrap_or_default());
