@@ -27,6 +27,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("drop branches", statements::drop_branches),
     text_pass!("forget variables", declarations::forget_variables),
     text_pass!("drop parameters", parameters::forget_parameters),
+    text_pass!("give arguments by position", parameters::forget_names),
     text_pass!("drop sections and methods", declarations::drop_sections),
     text_pass!("make variables plain", declarations::plain_sections),
     text_pass!("join sections", declarations::join_sections),

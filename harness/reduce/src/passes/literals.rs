@@ -98,11 +98,17 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
                 format!("{before}.{}", behind.chars().next()?)
             }
         },
-        LiteralKind::Duration => match step {
-            LiteralStep::Zero => "0s".to_owned(),
-            LiteralStep::One => "1s".to_owned(),
-            _ => return None,
-        },
+        LiteralKind::Duration => {
+            let (digits, unit) = text.split_at(text.find(|sign: char| !sign.is_ascii_digit())?);
+            let number = digits.parse::<u128>();
+            match step {
+                LiteralStep::Zero => "0s".to_owned(),
+                LiteralStep::One => "1s".to_owned(),
+                LiteralStep::Half => format!("{}{unit}", number.ok()? / 2),
+                LiteralStep::Less => format!("{}{unit}", number.ok()?.saturating_sub(1)),
+                LiteralStep::Decimal | LiteralStep::Rest => return None,
+            }
+        }
         LiteralKind::SingleByteText | LiteralKind::DoubleByteText => {
             let quote = text.get(..1)?;
             let inner = text.get(1..text.len().checked_sub(1)?)?;

@@ -1,11 +1,13 @@
 //! A pass that drops parameters together with the arguments that are given to them.
 
 use crate::TextView;
+use stickler_reference::place_of_input;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
     Argument, Expression, ExpressionId, ExpressionKind, Pou, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::operands;
+use stickler_types::join;
 
 /// Drops a parameter of a function or a function block, with the statements of the unit that name it and with its argument in each call.
 pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
@@ -28,6 +30,31 @@ pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
             }
             changes.push(edits);
         }
+    }
+    view.only_allowed(changes)
+}
+
+/// Gives the inputs of standard functions their arguments by position, in the place of their names.
+pub(crate) fn forget_names(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for (_, call) in view.expressions() {
+        let ExpressionKind::Call { callee, arguments } = &call.kind else {
+            continue;
+        };
+        let function = &view.text()[view.range_of_expression(*callee)];
+        let named = arguments.iter().map(|argument| match argument {
+            Argument::Named { name, value } => Some((place_of_input(function, name.text)?, *value)),
+            Argument::Positional(_) | Argument::Output { .. } => None,
+        });
+        let Some(mut inputs) = named.collect::<Option<Vec<_>>>() else {
+            continue;
+        };
+        inputs.sort_by_key(|(place, _)| *place);
+        let values = inputs
+            .iter()
+            .map(|(_, value)| &view.text()[view.range_of_expression(*value)]);
+        let call_by_position = format!("{function}({})", join(values, ", "));
+        changes.push(Edits::replacing(call.span, call_by_position));
     }
     view.only_allowed(changes)
 }
