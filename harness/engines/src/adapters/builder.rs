@@ -137,13 +137,15 @@ impl Builder {
         let ended = self.try_build(recipe, workplace)?;
         match ended.code()? {
             0 => Ok(()),
-            _ => Err(Outcome::Unusable {
-                reason: format!(
-                    "the {} that it wrote cannot be built: {}",
-                    self.language.name,
-                    without_folder(&first_error(&ended), &self.headers)
-                ),
-            }),
+            _ => {
+                let error = without_folder(&first_error(&ended), &self.headers);
+                let what = match error.contains("undefined reference") {
+                    true => "what it wrote cannot be linked".to_owned(),
+                    false => format!("the {} that it wrote cannot be built", self.language.name),
+                };
+                let reason = format!("{what}: {error}");
+                Err(Outcome::Unusable { reason })
+            }
         }
     }
 

@@ -157,7 +157,10 @@ pub(super) fn warnings(
     for reported in given {
         let on_clean_line = names(&expectation.clean_lines, reported);
         findings.require(!on_clean_line);
-        if on_clean_line || !missing.is_empty() {
+        // What only warns of a mistake is told with it.
+        let mut mistakes = expectation.diagnostics.iter();
+        let of_mistake = mistakes.any(|mistake| reported.line == Some(mistake.line));
+        if on_clean_line || of_mistake || !missing.is_empty() {
             findings.add(fact(reported.clone()));
         }
     }
