@@ -139,12 +139,15 @@ fn has_loop_to_its_first_value(program: &ReadProgram<'_, '_>, dialect: DialectNa
 
 /// Returns whether a program is one of those that [`loops_alone`] makes.
 pub(crate) fn is_loop_alone(program: &str) -> bool {
-    let header = program
-        .lines()
-        .nth(5)
-        .and_then(|line| line.strip_prefix("    FOR count := "));
-    let limits = header.and_then(|rest| rest.strip_suffix(" DO")?.split_once(" TO "));
-    program.starts_with("PROGRAM main\nVAR\n    count : ") && limits.is_some_and(|(from, to)| from == to)
+    limit_of_loop_alone(program).is_some()
+}
+
+/// Returns the only value of the loop of a program that [`loops_alone`] makes; `None` of another one.
+pub(crate) fn limit_of_loop_alone(program: &str) -> Option<&str> {
+    let header = program.lines().nth(5)?.strip_prefix("    FOR count := ")?;
+    let (from, to) = header.strip_suffix(" DO")?.split_once(" TO ")?;
+    let is_made = program.starts_with("PROGRAM main\nVAR\n    count : ");
+    (is_made && from == to).then_some(to)
 }
 
 /// Returns whether what an engine does with a program shows something: of a loop alone only that it does not run.

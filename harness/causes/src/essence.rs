@@ -6,7 +6,7 @@
 
 use crate::alone::is_loop_alone;
 use crate::compiler_place::compiler_place;
-use crate::failure_sign::{Sign, has_lost_place, is_of_reading};
+use crate::failure_sign::{Sign, differing_lines, has_lost_place, is_of_reading, work_of};
 use crate::line_features::{
     DERIVED, IN_OTHER_UNIT, IN_STATEMENTS, INSTANCE, LINE_PLACES, LITERAL, ProgramAndLine, lacked_function,
 };
@@ -106,7 +106,8 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
-        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Fault(_));
+        let is_incomplete = matches!(sign.symptom, Symptom::Incomplete(_));
+        let tells_way = sign.accepts() || is_incomplete || matches!(sign.symptom, Symptom::Fault(_));
         let (symptom, mut features, is_contained) = match pattern {
             Some(TO_LAST_VALUE) => (Symptom::Value.word(), words([TO_LAST_VALUE]), false),
             // What goes wrong with a value depends on its type.
@@ -117,10 +118,10 @@ impl Essence {
             }
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None if let Some(way) = normal.way.filter(|_| tells_way) => {
-                let symptom = if sign.accepts() {
-                    ACCEPTED.to_owned()
-                } else {
-                    sign.word()
+                let symptom = match sign.accepts() {
+                    true => ACCEPTED.to_owned(),
+                    false if is_incomplete => INCOMPLETE.to_owned(),
+                    false => sign.word(),
                 };
                 (symptom, words([way]), false)
             }
@@ -237,7 +238,12 @@ fn needs(
             }
             (symptom, features, names_construct)
         }
-        // Which function is not there, and what it is for, does not matter.
+        // Which function is not there, and what it is for, does not matter. A linker may lack it for the types of its arguments alone.
+        Symptom::Unusable(words)
+            if words.contains("cannot be linked") && lacked_function(line.program, got).is_some() =>
+        {
+            ("function that is not linked".to_owned(), BTreeSet::new(), false)
+        }
         Symptom::Rejected(_) | Symptom::Unusable(_) if lacked_function(line.program, got).is_some() => {
             (UNKNOWN_FUNCTION.to_owned(), BTreeSet::new(), false)
         }
@@ -335,12 +341,13 @@ fn needs(
                     features.insert("VAR_EXTERNAL".to_owned());
                     return ("unusable".to_owned(), features, true);
                 }
-                // What it says of one function it says of every other. What it proposes does not matter.
+                // What a compiler of C says of declarations, of which no statement does anything, it says whatever they are.
+                None if words.contains("error:") && work_of(&normal.program).is_empty() => unusable(words),
+                // What it says of one function it says of every other.
                 None if is_unusable => {
-                    let words = words.split(';').next().unwrap_or_default();
                     let features = line.of_use();
                     let names_construct = !features.is_empty();
-                    return (format!("unusable {words}"), features, names_construct);
+                    return (unusable(words), features, names_construct);
                 }
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
@@ -378,6 +385,11 @@ fn needs(
         Symptom::OtherLine(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
+}
+
+/// Returns the symptom of a program of which an engine makes what a compiler of C does not take, whatever that proposes.
+fn unusable(words: &str) -> String {
+    format!("unusable {}", words.split(';').next().unwrap_or_default())
 }
 
 /// Returns whether an engine reports a mistake, and nothing of another line.
@@ -446,6 +458,14 @@ fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
             Some(rejection(line, reported, &sign.at, &normal.deviation.got))
+        }
+        // What is done with a global variable may be what cannot be built with any variable.
+        Symptom::Unusable(words) if line.uses_external() => Some((unusable(words), line.of_use())),
+        // An engine that reads no escapes writes the sign of each twice.
+        Symptom::Text => {
+            let (wanted, written) = differing_lines(&normal.deviation.expected, &normal.deviation.got)?;
+            let is_doubled = written.replace("$$", "$") == wanted;
+            is_doubled.then(|| (Symptom::Value.word(), words([UNREAD_ESCAPES])))
         }
         // An engine that reads no escapes takes one that does not exist, and a text that ends behind `$'` for one that does not end.
         Symptom::NotRejected(code) | Symptom::Rejected(code) if of_characters(code) && line.has_escape() => {

@@ -150,7 +150,7 @@ pub(crate) fn is_of_a_value(code: &str) -> bool {
 
 /// Returns the operations of the statements of a program of which something is not implemented: the document speaks of all these
 /// together. A condition may stand around anything; where one is missing, the message says so.
-fn work_of(text: &str) -> String {
+pub(crate) fn work_of(text: &str) -> String {
     let program = Program::new(text);
     let bodies: Vec<(u32, u32)> = program
         .unit

@@ -222,12 +222,15 @@ impl Asking<'_> {
                 let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;
                 for (at, mut smaller) in wave.iter().copied().zip(smallest) {
                     left = left.saturating_sub(smaller.questions());
+                    // What was not asked to its end may show another cause.
+                    if smaller.is_open && (self.stop)() {
+                        smaller.smallest.end_partly();
+                    }
                     smaller.is_open &= tries < most && !(self.stop)();
                     progress(u64::from(!smaller.is_open));
                     // A program that does in one scan what another does in several is longer.
                     match found[at].questions() == 0 || smaller.distance() <= found[at].distance() {
                         true => found[at] = smaller,
-                        // What was not asked to its end may show another cause.
                         false if (self.stop)() => found[at].smallest.end_partly(),
                         false => found[at].is_open = false,
                     }
@@ -235,6 +238,8 @@ impl Asking<'_> {
                 open.note(wave.iter().map(|at| &found[*at]));
             }
         }
+        let open = found.iter_mut().filter(|group| group.is_open);
+        open.for_each(|group| group.smallest.end_partly());
         Ok(found)
     }
 

@@ -11,7 +11,7 @@ use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    BinaryOperator, ExpressionKind, Pou, PouKind, TypeSpecificationKind, VariableKind,
+    BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind, TypeSpecificationKind, VariableKind,
 };
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
@@ -131,6 +131,25 @@ pub(crate) fn without_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String
         }
     }
     found
+}
+
+/// Returns programs in which a FOR loop counts from the last value of its type to that value alone.
+pub(crate) fn with_last_value(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let from = program.at(Place::From).filter_map(|from| {
+        let StatementKind::For { control, to, by, .. } = from.statement?.kind else {
+            return None;
+        };
+        let (_, most) = program.type_of(control)?.integer_range()?;
+        let span = |id| Some(program.part(id)?.expression.span);
+        let mut edits = Edits::replacing(from.expression.span, most.to_string());
+        let limit = span(to)?;
+        edits.replace(limit, most.to_string());
+        if let Some(by) = by.and_then(span) {
+            edits.remove(limit.end as usize..by.end as usize);
+        }
+        Some(edits.apply(program.text))
+    });
+    from.collect()
 }
 
 /// Returns programs in which a statement assigns a variable to itself, in the place of one that uses a bit of it or counts with it: the

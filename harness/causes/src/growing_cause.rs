@@ -8,6 +8,7 @@ use crate::failure_sign::{Sign, has_lost_place, is_of_a_value, is_of_reading, is
 use crate::forms::{PLAIN, named_types};
 use crate::key::CauseKey;
 use crate::line_features::{STANDARD_PARAMETER, lacked_function};
+use crate::loop_limits::TO_LAST_VALUE;
 use crate::normal_form::{Normal, is_whatever_comes};
 use crate::program::read;
 use crate::promised::{cite, page_of_code, promise, promise_of_pattern, promise_of_place};
@@ -77,7 +78,7 @@ impl GrowingCause {
             && length(&normal.program) <= length(&smallest.program);
         // The same mistake shows best where nothing else is done.
         let is_plainer = smallest.deviation.sign.accepts()
-            && normal.deviation.sign == smallest.deviation.sign
+            && (normal.deviation.sign == smallest.deviation.sign || normal.is_operand)
             && is_as_small;
         // What a variable begins with shows best where nothing copies it.
         let is_empty = |pou: &Pou<'_>| pou.body.is_empty();
@@ -90,7 +91,13 @@ impl GrowingCause {
             && normal.deviation.sign.symptom == smallest.deviation.sign.symptom
             && length(&normal.program) <= length(&smallest.program)
             && former.any(|ty| !PLAIN.contains(&ty) && !types.contains(ty));
-        let is_other_form = is_plainer || is_initial || is_plainer_type || normal.has_variables;
+        // A loop, and mistakes beside others, show best in a program with nothing else.
+        let is_incomplete = matches!(smallest.deviation.sign.symptom, Symptom::Incomplete(_));
+        let is_loop =
+            is_as_small && essence.pattern == Some(TO_LAST_VALUE) || is_loop_alone(&smallest.program);
+        let tells_others = is_incomplete && normal.way.is_some();
+        let has_other_operands = is_plainer_type || normal.has_variables;
+        let is_other_form = is_plainer || is_initial || has_other_operands || is_loop || tells_others;
         let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
@@ -104,6 +111,8 @@ impl GrowingCause {
                 is_derived || is_loop_alone(&shown.program) || !keeps_claim(&group.shown, claimed)
             }
         };
+        // That each mistake is told is said of every program.
+        let is_derived = is_derived && !is_incomplete;
         // No page of a code says how often it is told.
         let is_derived = is_derived || shown.deviation.is_told_twice();
         if is_derived {

@@ -8,7 +8,7 @@ use crate::shape::is_name;
 use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
-use stickler_syntax::names::DeclaredName;
+use stickler_syntax::names::{DeclaredKind, DeclaredName};
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
     Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
@@ -264,6 +264,10 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
         ExpressionKind::Literal(literal) if literal.prefix().is_none() => Some(literal.kind),
         _ => None,
     };
+    let is_in_out = |input: &DeclaredName<'_, '_>| input.kind == DeclaredKind::Variable(VariableKind::InOut);
+    if literal.is_some() && program.input(part).is_some_and(is_in_out) {
+        return Some("literal for a VAR_IN_OUT");
+    }
     let is_alone = program.specification(part.id).is_some() || literal == Some(LiteralKind::Boolean);
     let source = match literal {
         Some(LiteralKind::Boolean) => Some(ElementaryType::Bool),

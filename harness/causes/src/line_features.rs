@@ -551,8 +551,9 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns the features of a program of which the compiler makes what cannot be built or dies: its operations, and of a program without
     /// them the forms of its literals and the kinds of its declarations.
     pub(crate) fn of_use(&self) -> Words {
-        // What a compiler of C says of one comparison, it says of all that are called as functions.
+        // What a compiler of C says of one comparison, it says of all that are called as functions, and so of what compares its arguments.
         let named = |one: &String| match &**one {
+            "LIMIT" => "MAX".to_owned(),
             "EQ" | "NE" | "LT" | "LE" | "GT" | "GE" => "comparison called as a function".to_owned(),
             other => either_way(other),
         };

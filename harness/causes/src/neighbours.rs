@@ -3,7 +3,7 @@
 
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
-use crate::forms::{named_types, with_types};
+use crate::forms::{end_of_variables, named_types, with_types};
 use crate::growing_cause::GrowingCause;
 use crate::key::CauseKey;
 use crate::line_features::lacked_function;
@@ -43,6 +43,9 @@ const UNDECLARED: &str = "a type that is not declared";
 /// The words for the name that stands in the place of another.
 const OTHER_NAME: &str = "another name";
 
+/// The words for a first statement that stands behind another one.
+const BEHIND: &str = "the same behind another statement";
+
 /// The keyword of a program in whose place a function block is right.
 const IN_PROGRAM: &str = "`PROGRAM`";
 
@@ -74,6 +77,7 @@ impl Asking<'_> {
             let crashes = matches!(member.sign.symptom, Symptom::Crash(_));
             let decides = |one: &Neighbour| match one.by.as_str() {
                 OTHER_NAME => Some(format!(", by the name {}", one.replaced)),
+                BEHIND => Some(", as the first statement".to_owned()),
                 UNDECLARED if one.is_same && crashes => {
                     Some(", as with a type that is not declared".to_owned())
                 }
@@ -83,7 +87,8 @@ impl Asking<'_> {
                 }
                 _ => None,
             };
-            member.cause.title += &neighbours.iter().find_map(decides).unwrap_or_default();
+            let deciding: BTreeSet<String> = neighbours.iter().filter_map(decides).collect();
+            member.cause.title += &deciding.into_iter().collect::<String>();
             let own = format!("`{}`", member.cause.shown.dialect);
             let others = || neighbours.iter().filter(|one| one.replaced == own);
             if others().next().is_some() && others().all(|one| !one.is_same) {
@@ -188,7 +193,10 @@ impl Asking<'_> {
         // What a compiler of C finds wrong may be a name of its own.
         let is_written = matches!(symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
         let names = read(&shown.program, |program| match is_written {
-            true => [with_other_names(program), without_blanks(program)].concat(),
+            true => {
+                let behind = behind_statement(program).into_iter().collect();
+                [with_other_names(program), without_blanks(program), behind].concat()
+            }
             false if member.sign.accepts() => in_block(program).into_iter().collect(),
             false => Vec::new(),
         });
@@ -388,6 +396,23 @@ fn without_blanks(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
         (neighbour, program.text.replace(&spaced, sign))
     });
     joined.collect()
+}
+
+/// Returns a program with another statement before its first one, as a neighbour with which the same does not come.
+fn behind_statement(program: &ReadProgram<'_, '_>) -> Option<(Neighbour, String)> {
+    let pou = program.unit.pous().find(|pou| !pou.body.is_empty())?;
+    let first = pou.body[0].span.start as usize;
+    let end = end_of_variables(program.text, pou)?;
+    let mut edits = Edits::new();
+    edits.replace(end..end, "    n : INT;\n");
+    edits.replace(first..first, "n := 0;\n    ");
+    let written = pou.body[0].span.text(program.text);
+    let neighbour = Neighbour {
+        is_same: false,
+        by: BEHIND.to_owned(),
+        ..neighbour(written, "")
+    };
+    (!written.contains('\n')).then(|| (neighbour, edits.apply(program.text)))
 }
 
 /// Returns a program that has nothing but one PROGRAM with a FUNCTION_BLOCK in its place, as a neighbour with which the same does not come;

@@ -14,7 +14,7 @@ use crate::compiler_place::compiler_place;
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{plain_method, structure_method, unused_method};
-use crate::patterns::leaves_range;
+use crate::patterns::{OUT_OF_RANGE, leaves_range, number_pattern};
 use crate::program::read;
 use crate::question::{Deviation, Questioner};
 use crate::reduction::{LONG, Smallest};
@@ -113,14 +113,17 @@ pub(crate) fn normal_form(
         normal: Normal::unasked(smallest),
     };
     let symptom = smallest.deviation.sign.symptom.clone();
-    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone that runs has no plainer form.
+    // A long program has no page, and each form of it takes long to write and to ask about; a loop alone that runs has other limits only.
     let is_plain = is_loop_alone(&smallest.program) && !matches!(symptom, Symptom::NotImplemented(_));
     if smallest.flaky.is_some() || smallest.program.len() > LONG || is_plain {
+        if is_plain && symptom == Symptom::Value {
+            search.loop_alone()?;
+        }
         return Ok(search.normal);
     }
     search.whatever_comes()?;
     if search.normal.way.is_some() {
-        if matches!(symptom, Symptom::Unusable(_)) {
+        if is_not_built(&symptom) {
             search.variables_for_literals()?;
         }
         search.normal.questions = tries - search.left;
@@ -150,7 +153,8 @@ pub(crate) fn normal_form(
             search.minimise(&plain_method(false))?;
         }
         Symptom::NoPlace(_) => search.places()?,
-        Symptom::Unusable(_) => {
+        Symptom::Incomplete(_) => search.beside_others()?,
+        Symptom::Unusable(_) if is_not_built(&now) => {
             search.variables_for_literals()?;
             if search.normal.way.is_none() {
                 search.single_bytes()?;
@@ -223,9 +227,18 @@ impl NormalSearch<'_, '_> {
         self.left = self.left.saturating_sub(1);
         let seen = self.asked.deviation(case)?;
         let former = &self.normal;
-        // A value that wraps is another defect than one that is within the range of its type.
+        // A value that wraps is another defect than one that is within the range of its type; where a real number is converted, so is one that
+        // is rounded.
         let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
-        let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
+        let is_converted = |text: &str, seen: &Deviation| {
+            read(text, |program| {
+                number_pattern(program, seen) == Some(OUT_OF_RANGE)
+            })
+        };
+        let stays = |seen: &Deviation| match leaves(&former.program, &former.deviation) {
+            true => !is_converted(&former.program, &former.deviation) || is_converted(text, seen),
+            false => !leaves(text, seen),
+        };
         // That one form of a literal is rejected otherwise does not tell that another is accepted.
         let is_other = |seen: &Deviation| {
             former.deviation.sign.is_rejected_otherwise()
@@ -325,6 +338,11 @@ impl NormalSearch<'_, '_> {
         self.left -= 1;
         self.asked.deviation(case).map(Some)
     }
+}
+
+/// Returns whether an engine makes of a program what a compiler of C does not take, where literals and variables may differ.
+fn is_not_built(symptom: &Symptom) -> bool {
+    matches!(symptom, Symptom::Unusable(words) if words.contains("error:"))
 }
 
 /// Returns the literals of a program, as they are written.

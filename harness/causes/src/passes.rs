@@ -53,6 +53,7 @@ const LOOP_ALONE: NormalPass = Pass {
         });
     },
 };
+const LAST_VALUE: NormalPass = alternatives!("count to the last value alone", forms::with_last_value);
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
 const VARIABLE_FOR_BIT: NormalPass =
     alternatives!("give a value to a variable", forms::with_variable_for_bit);
@@ -93,7 +94,9 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns the passes that find out what of a program a symptom needs.
 fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
-        Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS],
+        Symptom::Value | Symptom::Missing => {
+            &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS, LAST_VALUE]
+        }
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
         Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_CALL, FOLDED_LITERALS],

@@ -16,6 +16,9 @@ use stickler_types::{ElementaryType, Family, Value};
 /// The pattern of a text of which no escape is read.
 pub(crate) const UNREAD_ESCAPES: &str = "text with its escapes as they are written";
 
+/// The pattern of a real number that becomes an integer whose type does not hold it.
+pub(crate) const OUT_OF_RANGE: &str = "conversion of a real number outside the range of its target";
+
 /// The pattern of an integer that the engine reads as an LREAL.
 pub(crate) const BITS_OF_LREAL: &str = "integer literal with the bits of an LREAL";
 
@@ -47,10 +50,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
         (wrong.loses_fraction(), "fraction of a second that is lost"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
-        (
-            wrong.converts_out_of_range(),
-            "conversion of a real number outside the range of its target",
-        ),
+        (wrong.converts_out_of_range(), OUT_OF_RANGE),
         (wrong.counts_to_limit(), TO_LAST_VALUE),
         (
             wrong.keeps_range(),

@@ -94,14 +94,16 @@ fn plain_numbers<'p, 't: 'p, 's>(
     values.filter_map(|(part, literal)| Some((part, PlainNumber::read(literal)?)))
 }
 
-/// Plain literals of the types of dates and times.
-const MOMENTS: [(&str, &str); 3] = [
+/// Plain literals of the types of durations, dates and times.
+const MOMENTS: [(&str, &str); 5] = [
+    ("TIME#", "T#1s"),
+    ("T#", "T#1s"),
     ("DT#", "DT#2000-01-02-03:04:05"),
     ("D#", "D#2000-01-02"),
     ("TOD#", "TOD#03:04:05"),
 ];
 
-/// Returns the dates and times of a program that are not the plain ones, and the plain one of each type.
+/// Returns the durations, dates and times of a program that are not the plain ones, and the plain one of each type.
 fn moments<'p, 't: 'p, 's>(
     program: &'p ReadProgram<'t, 's>,
 ) -> impl Iterator<Item = (&'p Part<'t, 's>, &'static str)> {

@@ -239,26 +239,30 @@ impl<'t, 's> ReadProgram<'t, 's> {
                 StatementKind::Assignment { target, .. } => self.specification(target),
                 _ => None,
             },
-            Place::Argument | Place::NamedArgument => {
-                let (callee, arguments) = self.call(part.around?)?;
-                let unit = self.unit_of(callee)?;
-                let is_input = |one: &&DeclaredName<'t, 's>| {
-                    let inputs = [VariableKind::Input, VariableKind::InOut].map(DeclaredKind::Variable);
-                    inputs.contains(&one.kind) && one.inside.is_some_and(|pou| pou.span == unit.span)
-                };
-                let mut inputs = self.names.iter().filter(is_input);
-                let is_it = |argument: &Argument<'s>| match argument {
-                    Argument::Positional(value) | Argument::Named { value, .. } => *value == part.id,
-                    Argument::Output { .. } => false,
-                };
-                let at = arguments.iter().position(is_it)?;
-                let input = match &arguments[at] {
-                    Argument::Named { name, .. } => inputs.find(|input| input.name.is(name.text)),
-                    _ => inputs.nth(at),
-                };
-                Some(&input?.group?.specification)
-            }
-            _ => None,
+            _ => Some(&self.input(part)?.group?.specification),
+        }
+    }
+
+    /// Returns the declaration of the parameter to which an argument is given.
+    pub(crate) fn input(&self, part: &Part<'t, 's>) -> Option<&DeclaredName<'t, 's>> {
+        if !matches!(part.place, Place::Argument | Place::NamedArgument) {
+            return None;
+        }
+        let (callee, arguments) = self.call(part.around?)?;
+        let unit = self.unit_of(callee)?;
+        let is_input = |one: &&DeclaredName<'t, 's>| {
+            let inputs = [VariableKind::Input, VariableKind::InOut].map(DeclaredKind::Variable);
+            inputs.contains(&one.kind) && one.inside.is_some_and(|pou| pou.span == unit.span)
+        };
+        let mut inputs = self.names.iter().filter(is_input);
+        let is_it = |argument: &Argument<'s>| match argument {
+            Argument::Positional(value) | Argument::Named { value, .. } => *value == part.id,
+            Argument::Output { .. } => false,
+        };
+        let at = arguments.iter().position(is_it)?;
+        match &arguments[at] {
+            Argument::Named { name, .. } => inputs.find(|input| input.name.is(name.text)),
+            _ => inputs.nth(at),
         }
     }
 

@@ -151,11 +151,11 @@ impl Asking<'_> {
                 let printed = output.text.chars().take(MAX_PRINTED).collect();
                 Some((reproduction, printed, output.succeeded))
             }
-            // The time of the search ended before the commands did: they print nothing that is known.
+            // The time of the search ended before the commands did: nobody saw what they show.
             _ => Some((
                 self.engine.reproduce(&request, ability).ok()?,
                 String::new(),
-                false,
+                true,
             )),
         }
     }

@@ -47,8 +47,9 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         (Some(whole), Symptom::Text) => rendered(whole, program, case.dialect)?,
         _ => expectation(&case.expectation, &sign.symptom, outcome)?,
     };
-    // A program that must only go on to its end has no values to look at.
-    let goes_on = matches!(sign.symptom, Symptom::Fault(_)) && expectation.values.is_empty();
+    // A program that must only go on to its end has no values to look at, since it may die where an adapter looks.
+    let goes_on =
+        matches!(sign.symptom, Symptom::Fault(_) | Symptom::Unusable(_)) && expectation.values.is_empty();
     Some(Case {
         source: program.into(),
         observe: if goes_on { Arc::default() } else { observe.into() },

@@ -76,11 +76,17 @@ impl Titled<'_, '_> {
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
             // The line does not show the mistake, so the title names it.
-            Symptom::NotRejected(code) => match (self.wrong(code), wanted.code) {
-                (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
-                (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
-                (None, _) => format!("{line} is accepted, not rejected"),
-            },
+            Symptom::NotRejected(code) => {
+                let is_warned = got.iter().any(|fact| matches!(fact, Fact::Warning(_)));
+                let warned = if is_warned { " with a warning" } else { "" };
+                match (self.wrong(code), wanted.code) {
+                    (Some(wrong), Some(code)) => {
+                        format!("{line} is accepted{warned}, though {wrong} ({code})")
+                    }
+                    (Some(wrong), None) => format!("{line} is accepted{warned}, though {wrong}"),
+                    (None, _) => format!("{line} is accepted{warned}, not rejected"),
+                }
+            }
             Symptom::Rejected(_) => {
                 let by_number = || line_with_number(&self.program, &reported.message);
                 let place = reported.line.or_else(by_number);
@@ -136,12 +142,7 @@ impl Titled<'_, '_> {
             // What is wrong with a program may be what the engine does not bear.
             Symptom::Crash(words) => {
                 let reason = self.reason(words);
-                // What a panic says stands behind its place.
-                let says = reason
-                    .split(" | ")
-                    .skip_while(|part| !part.contains("panicked at"))
-                    .nth(1);
-                let says = says.map_or(String::new(), |says| format!(": {says}"));
+                let says = panic(&reason).map_or(String::new(), |says| format!(": {says}"));
                 let place = compiler_place(got).map(|place| format!(" at {place}{says}"));
                 let reason = place.unwrap_or_else(|| format!(": {reason}"));
                 let wrong = wanted.code.as_deref().and_then(|code| self.wrong(code));
@@ -193,7 +194,10 @@ impl Titled<'_, '_> {
                     let what = before.split(": ").next().unwrap_or_default();
                     format!("{what}: {}", clipped(message))
                 }
-                None => clipped(reason),
+                None => match (panic(reason), reason.split_once(';')) {
+                    (Some(says), Some((what, _))) => format!("{what}: {}", clipped(says)),
+                    _ => clipped(reason),
+                },
             }),
             _ => None,
         });
@@ -267,7 +271,10 @@ impl Titled<'_, '_> {
     fn surplus(&self, reported: &str, wanted: &Diagnostic) -> String {
         let extra = || self.got.iter().filter(|fact| !self.expected.contains(fact));
         let has_code = |one: &&Diagnostic| one.code.as_deref() == Some(reported);
-        let of_code = extra().filter_map(Fact::diagnostic).find(has_code);
+        let of_code = || extra().filter_map(Fact::diagnostic).filter(has_code);
+        // The first on the line of the mistake may be the mistake.
+        let elsewhere = of_code().find(|one| one.line != wanted.line);
+        let of_code = elsewhere.or_else(|| of_code().last());
         let extra = of_code.or_else(|| extra().find_map(Fact::diagnostic));
         let extra = extra.cloned().unwrap_or_default();
         if extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
@@ -280,6 +287,14 @@ impl Titled<'_, '_> {
             false => format!("{line} is reported beside the mistake: {message}"),
         }
     }
+}
+
+/// Returns what a panic says, which stands behind its place.
+fn panic(reason: &str) -> Option<&str> {
+    let mut parts = reason
+        .split(" | ")
+        .skip_while(|part| !part.contains("panicked at"));
+    parts.nth(1)
 }
 
 /// Returns what a program does that stops with a fault, in the words of the engine.

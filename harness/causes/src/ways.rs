@@ -4,14 +4,14 @@ use crate::alone::{binary, calculates, compares};
 use crate::forms::{body, end_of_variables};
 use crate::malformed::number_of_literal;
 use crate::program::ReadProgram;
-use crate::words::{tokens, type_of_word};
+use crate::words::{converted, is_number, tokens, type_of_word};
 use std::collections::BTreeSet;
 use stickler_reference::{errors, place_of_input};
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, StatementKind,
-    UnaryOperator,
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind, StatementKind,
+    UnaryOperator, VariableBlock, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::{DialectName, ElementaryType, Family, join};
@@ -67,6 +67,36 @@ fn calculated(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<(Elemen
     (calculates(operator) && own(right) == Some(ty)).then_some((ty, left))
 }
 
+/// Returns a program in which a PROGRAM or a FUNCTION assigns the elementary values with which its variables begin; `None` where it has none.
+pub(crate) fn with_assigned_initials(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut is_changed = false;
+    for pou in program
+        .unit
+        .pous()
+        .filter(|pou| pou.kind != PouKind::FunctionBlock)
+    {
+        let plain = |block: &&VariableBlock<'_>| {
+            matches!(block.kind, VariableKind::Local | VariableKind::Temporary) && !block.constant
+        };
+        let end = pou.blocks.last()?.span.end as usize;
+        let groups = pou.blocks.iter().filter(plain).flat_map(|block| &block.groups);
+        for group in groups.filter(|group| program.elementary(&group.specification).is_some()) {
+            if let Some(initializer) = &group.initializer {
+                let value = initializer.span.text(program.text);
+                let names = group
+                    .names
+                    .iter()
+                    .map(|name| format!("\n    {} := {value};", name.text));
+                edits.replace(end..end, names.collect::<String>());
+                edits.remove(group.specification.span.end as usize..initializer.span.end as usize);
+                is_changed = true;
+            }
+        }
+    }
+    is_changed.then(|| edits.apply(program.text))
+}
+
 /// Returns a program with the numbers that are arguments of a function of its own assigned to variables first, which have the types of the
 /// inputs; `None` where it has none.
 pub(crate) fn with_assigned_arguments(program: &ReadProgram<'_, '_>) -> Option<String> {
@@ -95,6 +125,22 @@ pub(crate) fn with_assigned_arguments(program: &ReadProgram<'_, '_>) -> Option<S
         edits.replace(start..start, format!("{name} := {written};\n    "));
     }
     (number > 0).then(|| edits.apply(program.text))
+}
+
+/// Returns a program with a positive number, as far beyond the range, in the place of a negative real number that becomes an integer without a
+/// sign; `None` where it has none.
+pub(crate) fn with_positive_number(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let callees = program.at(Place::Callee).map(|part| program.text(part.id));
+    let (_, into) = callees
+        .filter_map(converted)
+        .find(|(from, into)| from.is_real() && into.family() != Family::Signed && is_number(*into))?;
+    let beyond = format!("{}.0", (1_i128 << into.bits()) + 1);
+    program.literals().find_map(|(part, written)| {
+        let (prefix, number) = written.split_at(written.find('#').map_or(0, |at| at + 1));
+        number
+            .starts_with('-')
+            .then(|| Edits::replacing(part.expression.span, format!("{prefix}{beyond}")).apply(program.text))
+    })
 }
 
 /// Returns a program with comparison operators in the place of the comparison functions; `None` where it has none.

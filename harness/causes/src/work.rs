@@ -169,6 +169,7 @@ pub(crate) fn either_way(operation: &str) -> String {
             "conversion of durations, dates and times".to_owned()
         }
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
+        None if operation == "TO_text" => "conversion of texts".to_owned(),
         None => operation.to_owned(),
     }
 }

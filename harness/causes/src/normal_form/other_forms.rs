@@ -2,7 +2,9 @@
 //! operation or tells a mistake.
 
 use super::{Normal, NormalSearch, is_same};
+use crate::alone::limit_of_loop_alone;
 use crate::declared_first::declared_first;
+use crate::failure_sign::is_of_reading;
 use crate::forms::with_types;
 use crate::patterns::number_pattern;
 use crate::program::{ReadProgram, read};
@@ -41,12 +43,20 @@ const WHATEVER_COMES: [(&str, Form); 3] = [
 ];
 
 /// The ways of an engine that computes wrong values.
-const OF_VALUES: [(&str, Form); 2] = [
+const OF_VALUES: [(&str, Form); 4] = [
+    (
+        "negative real number into an integer without a sign",
+        ways::with_positive_number,
+    ),
     (
         "operation in a wider type than its operands have",
         ways::in_two_steps,
     ),
     ("comparison in the type of its first operand", ways::turned_round),
+    (
+        "initial value, which is right where it is assigned",
+        ways::with_assigned_initials,
+    ),
 ];
 
 /// The way of an engine that stops where a number is given to another type.
@@ -72,6 +82,18 @@ const OF_LITERALS: [(&str, Form); 2] = [
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
+/// Programs with two mistakes, each with the words for an engine that tells only the first of them.
+const TWO_MISTAKES: [(&str, &str); 2] = [
+    (
+        "mistakes behind the first one",
+        "PROGRAM main\nVAR\n    r : INT;\nEND_VAR\n    r := 'a';\n    r := 'b';\nEND_PROGRAM\n",
+    ),
+    (
+        "mistakes beside one of syntax",
+        "PROGRAM main\nVAR\n    r : INT;\nEND_VAR\n    r := 1 + ;\n    r := 'b';\nEND_PROGRAM\n",
+    ),
+];
+
 /// Returns whether what comes of a program matters nothing beside the way in which an engine does it.
 pub(crate) fn is_whatever_comes(way: &str) -> bool {
     way == BY_PLACE || WHATEVER_COMES.iter().any(|(cured, _)| *cured == way)
@@ -96,6 +118,45 @@ impl NormalSearch<'_, '_> {
         let case = as_the_reference(self.case, &form, &[]);
         if is_of_number || self.deviation_of(case.as_ref())? == Some(None) {
             self.normal.way = Some(NUMBERS_PLACELESS);
+        }
+        Ok(())
+    }
+
+    /// Asks for a loop alone from 1 to 1, and from 1 to its last value, which may be what it does not count to.
+    pub(super) fn loop_alone(&mut self) -> Result<(), EngineError> {
+        let text = self.normal.program.clone();
+        let Some(limit) = limit_of_loop_alone(&text).filter(|limit| *limit != "1") else {
+            return Ok(());
+        };
+        for last in ["1", limit] {
+            let own = format!("FOR count := {limit} TO {limit} DO");
+            let program = text.replace(&own, &format!("FOR count := 1 TO {last} DO"));
+            let case = as_the_reference(self.case, &program, &self.observe(&program));
+            let seen = self.deviation_of(case.as_ref())?.flatten();
+            if let Some(deviation) = seen.filter(|seen| seen.sign.symptom == Symptom::Value) {
+                (self.normal.program, self.normal.deviation) = (program, deviation);
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks whether the engine tells two mistakes at all, and one beside a mistake of syntax where the program has one.
+    pub(super) fn beside_others(&mut self) -> Result<(), EngineError> {
+        let mut expected = self.normal.deviation.expected.iter();
+        let has_syntax = expected.any(|fact| {
+            fact.diagnostic()
+                .is_some_and(|one| one.code.as_deref().is_some_and(is_of_reading))
+        });
+        for (way, program) in TWO_MISTAKES.into_iter().take(1 + usize::from(has_syntax)) {
+            let case = as_the_reference(self.case, program, &[]);
+            let seen = self.deviation_of(case.as_ref())?.flatten();
+            if let Some(deviation) = seen.filter(|seen| matches!(seen.sign.symptom, Symptom::Incomplete(_))) {
+                self.normal.program = program.to_owned();
+                self.normal.deviation = deviation;
+                self.normal.way = Some(way);
+                break;
+            }
         }
         Ok(())
     }

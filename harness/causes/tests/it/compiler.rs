@@ -26,6 +26,8 @@ pub struct Defects {
     pub dies_of_mistakes: bool,
     /// The codes of the mistakes that it does not see.
     pub accepts: Vec<String>,
+    /// The code of a mistake beside which it tells no other, and nothing behind the first one where it is empty.
+    pub tells_only: Option<String>,
     /// A code with which it reports each mistake once more.
     pub adds: Option<String>,
     /// Texts of lines about whose mistakes it says line 1, column 1; an empty text is in every line.
@@ -283,6 +285,11 @@ impl Defects {
                 };
                 for reported in diagnostics.iter_mut().filter(is_lost) {
                     (reported.line, reported.column) = (Some(1), Some(1));
+                }
+                if let Some(only) = &self.tells_only {
+                    let is_it = |one: &Diagnostic| only.is_empty() || one.code.as_ref() == Some(only);
+                    let at = diagnostics.iter().position(is_it);
+                    diagnostics = at.map_or(diagnostics.clone(), |at| vec![diagnostics.swap_remove(at)]);
                 }
                 if let Some(code) = &self.adds {
                     let mut added = diagnostics.clone();

@@ -61,7 +61,7 @@ struct FailingCase {
 }
 
 impl FailingCase {
-    /// Returns the case. It must end with a value (`into = REAL#5.0`), be rendered (`renders i := 1; | i := 2;`), be rejected (`7 P4035`) or be
+    /// Returns the case. It must end with a value (`into = REAL#5.0`), be rendered (`renders i := 1; | i := 2;`), be rejected (`7 P4035 | 8 P4022`) or be
     /// accepted; of one that is open, nobody decides what must happen.
     fn case(&self, number: usize) -> Case {
         let (has, does) = (&self.has, &self.does);
@@ -84,12 +84,17 @@ impl FailingCase {
         } else if let Some(lines) = self.must.strip_prefix("renders ") {
             let lines = lines.split(" | ").map(Box::from).collect();
             expectation.rendered = Some(ExpectedText { lines, line: 1 });
-        } else if let Some((line, code)) = self.must.split_once(' ') {
+        } else if self.must.contains(' ') {
             expectation.accepted = Acceptance::Rejected;
-            expectation.diagnostics.push(ExpectedDiagnostic {
+            let mistakes = self
+                .must
+                .split(" | ")
+                .filter_map(|mistake| mistake.split_once(' '));
+            let mistakes = mistakes.map(|(line, code)| ExpectedDiagnostic {
                 line: line.parse().expect("a number"),
                 code: code.parse().expect("a code"),
             });
+            expectation.diagnostics.extend(mistakes);
         } else if self.must == "open" {
             expectation.accepted = Acceptance::Observed;
         }
