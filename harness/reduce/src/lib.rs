@@ -23,7 +23,7 @@ mod view;
 
 pub use draft::TextDraft;
 pub use method::{METHOD, PASSES, text, text_in_packs};
-pub use passes::declarations::{drop_units, drop_unused};
+pub use passes::declarations::{drop_units, drop_unused, unit_to_program};
 pub use rules::{ReferenceRules, TextRules, TextState};
 pub use search::{
     CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, StopReason,

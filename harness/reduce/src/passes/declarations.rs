@@ -22,7 +22,7 @@ pub fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
 }
 
 /// Makes a function block or a function the program that runs, with plain variables; one of them is the result of the function.
-pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
+pub fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
     let Some(program) = view.unit.pous().find(|pou| pou.kind == PouKind::Program) else {
         return Vec::new();
     };
