@@ -74,7 +74,10 @@ impl Asking<'_> {
             if let Some(first) = first_wrong(&neighbours) {
                 member.cause.title += &format!(", from {first} on");
             }
-            let crashes = matches!(member.sign.symptom, Symptom::Crash(_));
+            // A type that is not declared says nothing where each type does.
+            let is_of_type = |one: &Neighbour| !one.is_same && elementary(one.by.trim_matches('`')).is_some();
+            let crashes =
+                matches!(member.sign.symptom, Symptom::Crash(_)) && neighbours.iter().any(is_of_type);
             let decides = |one: &Neighbour| match one.by.as_str() {
                 OTHER_NAME => Some(format!(", by the name {}", one.replaced)),
                 BEHIND => Some(", as the first statement".to_owned()),

@@ -8,6 +8,7 @@ use crate::words::{has_word, tokens};
 use crate::work::operations;
 use stickler_reduce::{
     METHOD, Pass, ReductionMethod, Sites, TextDraft, TextView, drop_units, drop_unused, text_pass,
+    unit_to_program,
 };
 use stickler_reference::errors;
 use stickler_run::Symptom;
@@ -53,6 +54,9 @@ const LOOP_ALONE: NormalPass = Pass {
         });
     },
 };
+/// The pass for what is wrong in a PROGRAM too.
+const UNIT_TO_PROGRAM: NormalPass =
+    text_pass!("make a function block or a function the program", unit_to_program);
 const LAST_VALUE: NormalPass = alternatives!("count to the last value alone", forms::with_last_value);
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
 const VARIABLE_FOR_BIT: NormalPass =
@@ -94,9 +98,14 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns the passes that find out what of a program a symptom needs.
 fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
-        Symptom::Value | Symptom::Missing => {
-            &[LOOP_ALONE, INITIAL_VALUES, OPERAND_ALONE, ONE_LESS, LAST_VALUE]
-        }
+        Symptom::Value | Symptom::Missing => &[
+            LOOP_ALONE,
+            INITIAL_VALUES,
+            OPERAND_ALONE,
+            UNIT_TO_PROGRAM,
+            ONE_LESS,
+            LAST_VALUE,
+        ],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
         Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_CALL, FOLDED_LITERALS],

@@ -69,12 +69,13 @@ pub(crate) fn promise<'s>(
 
 /// The features of which a wrong value, or the size of a literal that is rejected, tells by its pattern, whatever the case was about. Table 10 has
 /// the range of each type; the types here are those that hold such numbers.
-pub(crate) const OF_PATTERNS: [(&str, &[&str]); 10] = [
+pub(crate) const OF_PATTERNS: [(&str, &[&str]); 11] = [
     (
         "conversion",
         &[
             "conversion to an integer that does not bring it into its range",
             "conversion of a real number outside the range of its target",
+            "negative real number into an integer without a sign",
             "conversion to a date or a time of day that gives none",
         ],
     ),
@@ -95,6 +96,13 @@ pub(crate) const OF_PATTERNS: [(&str, &[&str]); 10] = [
     ("for", &["FOR loop to its first value", TO_LAST_VALUE]),
     ("type-initial-value", &["initial value of a type"]),
     ("field-initial-value", &["initial value of a field"]),
+    (
+        "initial-value",
+        &[
+            "initial value, which is right where it is assigned",
+            "initial value in a FUNCTION_BLOCK",
+        ],
+    ),
     ("string-escape", &[UNREAD_ESCAPES]),
 ];
 

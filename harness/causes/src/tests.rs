@@ -277,6 +277,7 @@ fn each_pattern_that_is_promised_is_one_that_a_value_tells_and_a_feature_promise
         include_str!("malformed.rs"),
         include_str!("patterns.rs"),
         include_str!("essence.rs"),
+        include_str!("normal_form/other_forms.rs"),
         include_str!("value_lines.rs"),
     ]
     .concat();
