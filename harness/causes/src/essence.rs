@@ -181,11 +181,13 @@ impl Essence {
                 && !(symptom.starts_with(ACCEPTED) && features.iter().any(computes))
                 && is_checked(&self.constructs) == is_checked(features);
             let unchecked = || {
-                let own = self.constructs.iter().filter(|one| *one != UNCHECKED);
-                self.is_unchecked()
-                    && symptom.starts_with(ACCEPTED)
-                    && own.eq(features)
-                    && COMPUTING.iter().any(|one| features.contains(*one))
+                let own = || self.constructs.iter().filter(|one| *one != UNCHECKED);
+                // A place alone is in every program.
+                let placed = |one: &&String| !LINE_PLACES.contains(&one.as_str());
+                let is_place = own().next().is_some_and(|first| placed(&first))
+                    && own().eq(features.iter().filter(placed));
+                let is_computed = own().eq(features) && COMPUTING.iter().any(|one| features.contains(*one));
+                self.is_unchecked() && symptom.starts_with(ACCEPTED) && (is_computed || is_place)
             };
             self.symptom == symptom && (self.constructs == *features || contains) || unchecked()
         };

@@ -64,6 +64,11 @@ pub(crate) const DERIVED: &str = "derived type";
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
 
+/// The functions of one real number, which are one group of the standard (Table 28).
+const OF_REAL: [&str; 10] = [
+    "SQRT", "LN", "LOG", "EXP", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN",
+];
+
 /// The feature of a large integer that is a label of CASE.
 const LARGE_LABEL: &str = "large integer as a label";
 
@@ -197,6 +202,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 true => LITERAL.to_owned(),
                 false => self.place().to_owned(),
             });
+            // If a plain variable were given to another too, that would be the normal form.
+            if !is_unchecked && features.contains(IN_STATEMENTS) {
+                features.extend(self.target().map(str::to_owned));
+                features.extend(self.source().map(str::to_owned));
+            }
         }
         // Where one function of the library takes arguments of any type, most do.
         let is_of_library = |part: &Part<'_, '_>| {
@@ -287,6 +297,21 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             | ExpressionKind::Index { .. }
             | ExpressionKind::Bit { .. }
             | ExpressionKind::Part { .. } => Some("part of a variable"),
+            _ => None,
+        }
+    }
+
+    /// Returns the kind of variable whose value the line assigns, unless that is a plain one.
+    fn source(&self) -> Option<&'static str> {
+        let mut values = self.program.at(Place::Value);
+        let part = values.find(|part| self.is_on_line(part.expression.span))?;
+        match &part.expression.kind {
+            ExpressionKind::Field { base, .. } if self.program.is_instance(self.program.text(*base)) => {
+                Some("output of a function block")
+            }
+            ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => {
+                Some("value of a part of a variable")
+            }
             _ => None,
         }
     }
@@ -472,6 +497,12 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn standard_calls(&self) -> Words {
         let mut called = self.on_line(Role::Operation);
         called.retain(|one| !matches!(one.as_str(), "call" | "sign" | "condition" | "subscript or list"));
+        // What one function of a real number takes, all take.
+        let is_of_real = |one: &String| OF_REAL.contains(&one.as_str());
+        if called.iter().any(is_of_real) {
+            called.retain(|one| !is_of_real(one));
+            called.insert("function of a real number".to_owned());
+        }
         called.insert(STANDARD_PARAMETER.to_owned());
         called
     }

@@ -63,8 +63,10 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
 fn calculated(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<(ElementaryType, ExpressionId)> {
     let (operator, left, right) = binary(program, id)?;
     let own = |id| program.type_of(id).or_else(|| Some(calculated(program, id)?.0));
-    let ty = own(left)?;
-    (calculates(operator) && own(right) == Some(ty)).then_some((ty, left))
+    // A literal without a type has that of the other operand.
+    let is_of = |ty, id| own(id).map_or(program.literal(id).is_some(), |own| own == ty);
+    let ty = own(left).or_else(|| own(right))?;
+    (calculates(operator) && is_of(ty, left) && is_of(ty, right)).then_some((ty, left))
 }
 
 /// Returns a program in which a PROGRAM or a FUNCTION assigns the elementary values with which its variables begin; `None` where it has none.
@@ -127,14 +129,14 @@ pub(crate) fn with_assigned_arguments(program: &ReadProgram<'_, '_>) -> Option<S
     (number > 0).then(|| edits.apply(program.text))
 }
 
-/// Returns a program with a positive number, as far beyond the range, in the place of a negative real number that becomes an integer without a
-/// sign; `None` where it has none.
+/// Returns a program with a positive number in the place of a negative real number that becomes an integer without a sign; `None` where it has
+/// none. It is 1.5 times 2 to the power of 63, of which a type of fewer bits gets 0 where numbers wrap; one of 64 bits gets a number of its own.
 pub(crate) fn with_positive_number(program: &ReadProgram<'_, '_>) -> Option<String> {
     let callees = program.at(Place::Callee).map(|part| program.text(part.id));
     let (_, into) = callees
         .filter_map(converted)
         .find(|(from, into)| from.is_real() && into.family() != Family::Signed && is_number(*into))?;
-    let beyond = format!("{}.0", (1_i128 << into.bits()) + 1);
+    let beyond = if into.bits() == 64 { "5.0" } else { "1.3835058E19" };
     program.literals().find_map(|(part, written)| {
         let (prefix, number) = written.split_at(written.find('#').map_or(0, |at| at + 1));
         number

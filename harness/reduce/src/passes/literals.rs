@@ -4,6 +4,9 @@ use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{ExpressionKind, LiteralKind};
 
+/// The number of digits of a duration beyond which it is cut and not halved.
+const MANY_DIGITS: usize = 6;
+
 /// A way to make literals smaller.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LiteralStep {
@@ -100,12 +103,17 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
         },
         LiteralKind::Duration => {
             let (digits, unit) = text.split_at(text.find(|sign: char| !sign.is_ascii_digit())?);
-            let number = digits.parse::<u128>();
+            let is_one = unit.chars().all(char::is_alphabetic);
+            let number = || digits.parse::<u128>().ok().filter(|_| is_one);
             match step {
                 LiteralStep::Zero => "0s".to_owned(),
                 LiteralStep::One => "1s".to_owned(),
-                LiteralStep::Half => format!("{}{unit}", number.ok()? / 2),
-                LiteralStep::Less => format!("{}{unit}", number.ok()?.saturating_sub(1)),
+                // So many units are too long in most compilers: the digits that are too many go at once.
+                LiteralStep::Half if is_one && digits.len() > MANY_DIGITS => {
+                    format!("{}{unit}", &digits[..MANY_DIGITS])
+                }
+                LiteralStep::Half => format!("{}{unit}", number()? / 2),
+                LiteralStep::Less => format!("{}{unit}", number()?.saturating_sub(1)),
                 LiteralStep::Decimal | LiteralStep::Rest => return None,
             }
         }
