@@ -4,7 +4,6 @@ mod conversions;
 mod engines;
 mod export;
 mod fuzz;
-mod judge;
 mod numbers;
 mod programs;
 mod reports;
@@ -15,8 +14,7 @@ pub use conversions::{ContradictionsArguments, ConversionsArguments, MatrixArgum
 pub use engines::{EngineArguments, EnginesArguments, RecordArguments};
 pub use export::{ComplianceArguments, DataArguments, ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
-pub use judge::JudgeArguments;
-pub use programs::{PortArguments, ReduceArguments, ReproduceArguments};
+pub use programs::{JudgeArguments, PortArguments, ReduceArguments, ReproduceArguments};
 pub use reports::{BlessArguments, CompareArguments, SiteArguments};
 pub use run::RunArguments;
 pub use suite::{ChangesArguments, LintArguments, ListArguments, ShowArguments, SourcesArguments};

@@ -19,10 +19,10 @@ pub fn open(folder: &Path, engines: &[&dyn Engine]) -> Vec<Option<Cache>> {
 
 /// Returns the caches in the form that a run takes.
 pub fn stores(caches: &[Option<Cache>]) -> Vec<Option<&dyn AnswerStore>> {
-    let store = |cache| -> Option<&dyn AnswerStore> {
-        Option::<&Cache>::map(cache, |cache| cache as &dyn AnswerStore)
-    };
-    caches.iter().map(Option::as_ref).map(store).collect()
+    let caches = caches.iter().map(Option::as_ref);
+    caches
+        .map(|cache| cache.map(|cache| cache as &dyn AnswerStore))
+        .collect()
 }
 
 /// Writes the problems of the caches to stderr, each once.

@@ -15,8 +15,7 @@ use stickler_engines::{
     ProcessEngine, ProcessLimits, Reference,
 };
 use stickler_export::Kind;
-use stickler_types::DialectName;
-use stickler_types::join;
+use stickler_types::{DialectName, join};
 
 /// The name of the reference, the engine that is always present.
 pub const REFERENCE: &str = "reference";

@@ -37,8 +37,11 @@ struct WhileRead<W> {
 
 impl<W> WhileRead<W> {
     /// Returns the result of an attempt to write, or `dropped` where nobody reads any more.
-    fn unless_gone<T>(&mut self, attempt: io::Result<T>, dropped: T) -> io::Result<T> {
-        match attempt {
+    fn attempt<T>(&mut self, dropped: T, write: impl FnOnce(&mut W) -> io::Result<T>) -> io::Result<T> {
+        if !self.read {
+            return Ok(dropped);
+        }
+        match write(&mut self.inner) {
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {
                 self.read = false;
                 Ok(dropped)
@@ -50,19 +53,11 @@ impl<W> WhileRead<W> {
 
 impl<W: Write> Write for WhileRead<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if !self.read {
-            return Ok(bytes.len());
-        }
-        let attempt = self.inner.write(bytes);
-        self.unless_gone(attempt, bytes.len())
+        self.attempt(bytes.len(), |inner| inner.write(bytes))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        if !self.read {
-            return Ok(());
-        }
-        let attempt = self.inner.flush();
-        self.unless_gone(attempt, ())
+        self.attempt((), W::flush)
     }
 }
 

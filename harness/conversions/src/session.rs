@@ -5,7 +5,7 @@ use crate::program::{self, ConversionProgram};
 use std::fmt;
 use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Outcome, RunRequest};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, Fault, Value};
+use stickler_types::{DialectName, Fault, Value, words};
 
 /// The reason for which an engine gave no values.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -18,32 +18,33 @@ pub struct Refusal {
     pub line: Option<String>,
 }
 
-/// The kind of a [`Refusal`]: the act of an engine that gives no values.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum RefusalKind {
-    /// The engine does not support the request, or only checks programs.
-    Unsupported,
-    /// The engine rejects the program.
-    Rejected,
-    /// The program stopped at a run-time fault.
-    Faulted,
-    /// The program took more steps than the engine allows.
-    TooManySteps,
-    /// The engine did not answer in time.
-    TimedOut,
-    /// The engine crashed.
-    Crashed,
-    /// The engine's answer was malformed, or lacked values.
-    Nonsense,
-    /// The call does not stand in the recording that was asked.
-    NotAsked,
+words! {
+    /// The kind of a [`Refusal`]: the act of an engine that gives no values, as the end of a sentence that names the engine.
+    RefusalKind {
+        /// The engine does not support the request, or only checks programs.
+        Unsupported = "does not support this",
+        /// The engine rejects the program.
+        Rejected = "rejected the program",
+        /// The program stopped at a run-time fault.
+        Faulted = "stopped at a fault",
+        /// The program took more steps than the engine allows.
+        TooManySteps = "took too many steps",
+        /// The engine did not answer in time.
+        TimedOut = "took too long",
+        /// The engine crashed.
+        Crashed = "crashed",
+        /// The engine's answer was malformed, or lacked values.
+        Nonsense = "answered nonsense",
+        /// The call does not stand in the recording that was asked.
+        NotAsked = "was not asked",
+    }
 }
 
 impl fmt::Display for Refusal {
     /// Writes the refusal as the end of a sentence that names the engine: `rejected the program (P4017: …)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Refusal { kind, detail, line } = self;
-        write!(f, "{} ({detail}", kind.as_str())?;
+        write!(f, "{kind} ({detail}")?;
         if let Some(line) = line {
             write!(f, ", at `{line}`")?;
         }
@@ -62,20 +63,6 @@ impl RefusalKind {
         RefusalKind::Nonsense,
     ];
 
-    /// Returns the refusal's kind as the end of a sentence that names the engine: `rejected the program`, `crashed` …
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            RefusalKind::Unsupported => "does not support this",
-            RefusalKind::Rejected => "rejected the program",
-            RefusalKind::Faulted => "stopped at a fault",
-            RefusalKind::TooManySteps => "took too many steps",
-            RefusalKind::TimedOut => "took too long",
-            RefusalKind::Crashed => "crashed",
-            RefusalKind::Nonsense => "answered nonsense",
-            RefusalKind::NotAsked => "was not asked",
-        }
-    }
-
     /// Returns the refusal's kind in a word that fits the cell of a table: `rejected`, `crashed` …
     pub const fn word(self) -> &'static str {
         match self {
@@ -90,7 +77,7 @@ impl RefusalKind {
     }
 
     /// Returns the kind of a [`RefusalKind::word`] that a recording holds.
-    pub fn from_word(word: &str) -> Option<RefusalKind> {
+    pub fn stored(word: &str) -> Option<RefusalKind> {
         RefusalKind::STORED.into_iter().find(|kind| kind.word() == word)
     }
 

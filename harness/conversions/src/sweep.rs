@@ -6,16 +6,13 @@
 
 mod agenda;
 mod comparison;
-mod converter;
 mod domain;
 mod findings;
 pub mod foreign;
 mod reference;
-mod run;
 
 pub use agenda::{AgendaError, Sweep, SweepMethod, agenda};
-pub use converter::Converter;
+pub use comparison::{Converter, run};
 pub use domain::{Domain, Operands, Sampling, TextOperands};
 pub use findings::{Difference, MAX_DIFFERENCES, SweepFindings, SweepProgress};
 pub use reference::ReferenceFunction;
-pub use run::run;

@@ -166,7 +166,7 @@ fn golden_answers() {
         "contradicts" => {
             let got = example.text("got");
             let got = Value::parse(got).map_err(|_| Refusal {
-                kind: RefusalKind::from_word(got).unwrap(),
+                kind: RefusalKind::stored(got).unwrap(),
                 detail: String::new(),
                 line: None,
             });

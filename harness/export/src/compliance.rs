@@ -159,10 +159,9 @@ impl ComplianceStatement {
                 }
                 let mut row = vec![numbered(number), title, declared, source, word, example];
                 row.truncate(head.len());
-                self.sections
-                    .last_mut()
-                    .into_iter()
-                    .for_each(|section| section.rows.push(row.clone()));
+                if let Some(section) = self.sections.last_mut() {
+                    section.rows.push(row);
+                }
             }
         }
         Ok(())
@@ -312,10 +311,8 @@ fn conversion(
             );
         }
     }
-    let stated = expected[..calls.len()]
-        .iter()
-        .filter(|expected| expected.basis.is_some())
-        .count();
+    let stated = expected[..calls.len()].iter();
+    let stated = stated.filter(|expected| expected.basis.is_some()).count();
     let stated = format!("{stated} of {}", calls.len());
     let name = signature.to_string();
     vec![name, effects.join("; "), stated, measured, example]

@@ -18,8 +18,7 @@ use std::path::PathBuf;
 use stickler_syntax::parse;
 use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
-use stickler_types::Dialect;
-use stickler_types::DialectName;
+use stickler_types::{Dialect, DialectName};
 use xml::{TextElement, Xml, attribute, fits, formatted, nested};
 
 /// The choice of a project file beside the pages of an export.

@@ -105,12 +105,8 @@ fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec
     let reference = Reference::new();
     let mut session = reference.session().expect("a session");
     let outcome = session.run(&RunRequest {
-        dialect,
-        source: page,
         scans: u32::try_from(scans).expect("few scans"),
-        observe: &observe,
-        clock: &[],
-        set: &[],
+        ..RunRequest::once(dialect, page, &observe)
     });
     let Outcome::Executed { values, .. } = outcome else {
         panic!("{outcome:?}\n{page}");
@@ -199,11 +195,9 @@ fn odd(events: &[CaseEvent]) -> Vec<&CaseEvent> {
 }
 
 fn list(array: &[i32]) -> String {
-    let mut text = String::new();
-    for (index, value) in array.iter().enumerate() {
-        text.push_str(&format!("results[{index}] := {value};\n"));
-    }
-    text
+    let values = array.iter().enumerate();
+    let lines = values.map(|(index, value)| format!("results[{index}] := {value};\n"));
+    lines.collect()
 }
 
 fn watch_list(array: &[i32]) -> String {

@@ -6,14 +6,12 @@
 //! | file | varies |
 //! |---|---|
 //! | `variant` | the text alone, by the styles of the writer and the case of letters; it names the variants |
-//! | `literals` | literals: moved to variables and constants, or written with their type |
-//! | `operands` | the order of operands, and the variables that hold them |
+//! | `operands` | the order of operands, the variables and constants that hold them, and the types of literals |
 //! | `loops` | loops: unrolled, or their first iteration peeled off; the two sides of an IF |
 //! | `dead_code` | statements that are never reached, or change nothing |
 //! | `walk` | nothing; it finds the parts of a program |
 
 mod dead_code;
-mod literals;
 mod loops;
 mod operands;
 #[cfg(test)]

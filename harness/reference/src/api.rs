@@ -3,11 +3,9 @@
 mod diagnose;
 mod located;
 mod observe;
-mod request;
 mod run;
 mod settings;
 
 pub use diagnose::{check, check_bytes, errors, render, variables};
 pub use located::locate;
-pub use request::{Limits, RequestError};
-pub use run::{execute, run};
+pub use run::{Limits, RequestError, execute, run};

@@ -29,7 +29,6 @@
 mod bcd;
 mod catalogue;
 mod concatenation;
-mod formatting;
 mod implicit;
 mod listing;
 mod moment;
@@ -43,9 +42,9 @@ mod writing;
 
 pub use catalogue::{ConversionFunction, Parameter, ResultType, conversion_function_name, function};
 pub use concatenation::{Concatenation, PARAMETERS, concatenation};
-pub(crate) use formatting::formatted;
 pub(crate) use implicit::literal_warning;
 pub(crate) use implicit::{common_operand, of_operand};
 pub use implicit::{implicit, implicit_warning};
 pub use listing::{catalogue_names, functions};
 pub use rule::{Conversion, ConversionRule};
+pub(crate) use writing::formatted;

@@ -5,8 +5,7 @@
 use crate::claims::Standing;
 use crate::overview::Overview;
 use serde_json::{Value, json};
-use stickler_types::counted;
-use stickler_types::join;
+use stickler_types::{counted, join};
 
 /// Returns the content of the file.
 ///

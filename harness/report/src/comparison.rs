@@ -15,8 +15,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
-use stickler_types::join;
-use stickler_types::words;
+use stickler_types::{join, words};
 
 /// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
 /// all texts.

@@ -212,7 +212,7 @@ fn written(name: &str, overview: &Overview, reports: &Path) -> String {
         "terminal-result.txt" => terminal(around(Detail::Result, None)),
         "terminal-whole.txt" => terminal(around(Detail::Whole, None)),
         "terminal-failures.txt" => terminal(around(Detail::Summary, Some(usize::MAX))),
-        "rerun.txt" => shown(|out| terminal::rerun::write(out, overview, None).expect("written")),
+        "rerun.txt" => shown(|out| terminal::write_rerun(out, overview, None).expect("written")),
         "annotations.txt" => shown(|out| annotations::write_github(overview, out).expect("written")),
         "files.txt" => list(reports),
         report => {

@@ -9,14 +9,14 @@ pub(crate) mod causes;
 mod claims;
 mod ending;
 pub(crate) mod failure;
-pub mod rerun;
 mod totals;
 
 use crate::overview::Overview;
+use crate::text::{verdicts, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::CaseEvent;
-use stickler_types::grouped;
+use stickler_run::{CaseEvent, EngineHeader, Totals};
+use stickler_types::{counted, grouped};
 
 pub(crate) const BOLD: Style = Style::new().bold();
 pub(crate) const DIM: Style = Style::new().dimmed();
@@ -96,6 +96,29 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
             "{BAD}... and {} more that are not as expected{BAD:#}; {place}.\n",
             grouped(rest)
         )?;
+    }
+    Ok(())
+}
+
+/// The maximum number of failures of a file that are shown whole.
+const MAX_RERUN_FAILURES: usize = 10;
+
+/// Writes what came of the cases of one file that were run again, since the file has changed: the cases that are not as expected, and for each engine how many cases had which verdict.
+///
+/// # Errors
+/// Returns the error of writing to `out`.
+pub fn write_rerun(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) -> io::Result<()> {
+    let engines: &[EngineHeader] = overview.header.as_ref().map_or(&[], |header| &header.engines);
+    for case in overview.failures().take(failures.unwrap_or(MAX_RERUN_FAILURES)) {
+        failure::write(out, case, overview.engine(&case.engine), engines.len() > 1)?;
+    }
+    for engine in engines {
+        let dialects = overview.totals.get(&engine.name).into_iter().flatten();
+        let sum: Totals = dialects.flat_map(|(_, areas)| areas.values()).sum();
+        let style = if sum.unexpected() > 0 { BAD } else { GOOD };
+        let cases = counted(sum.all(), "case", "cases");
+        let (name, verdicts) = (visible(&engine.name), verdicts(&sum, |_| true));
+        writeln!(out, "{style}{cases} on {name}: {verdicts}{style:#}")?;
     }
     Ok(())
 }

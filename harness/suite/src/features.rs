@@ -10,8 +10,7 @@ use stickler_types::{Dialect, DialectName, ElementaryType, words};
 use toml::Spanned;
 
 use crate::dialects::Dialects;
-use crate::error::{CaseFileError, Mistake};
-use crate::near::suggestion;
+use crate::error::{CaseFileError, Mistake, suggestion};
 use crate::place::Lines;
 use crate::toml_text;
 use crate::{Case, Sources, files};

@@ -7,6 +7,7 @@ mod compose;
 mod design;
 mod read;
 
+use crate::error::suggestion;
 use std::sync::Arc;
 
 use serde::Deserialize;
@@ -14,7 +15,6 @@ use stickler_types::{DialectName, words};
 use toml::Spanned;
 
 use crate::condition::Condition;
-use crate::near::suggestion;
 use crate::toml_text::Strings;
 pub(crate) use compose::{Wording, compose};
 pub(crate) use design::{Arrangement, Design};

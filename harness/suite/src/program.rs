@@ -115,23 +115,24 @@ impl ProgramTemplate {
 
     /// Returns whether one of these marks claims that the program is rejected.
     pub(crate) fn rejects(&self, active: &[usize]) -> bool {
-        active
-            .iter()
-            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Error(_)))
+        self.claims(active)
+            .any(|claim| matches!(claim, MarkClaim::Error(_)))
     }
 
     /// Returns whether one of these marks claims a warning.
     pub(crate) fn warns(&self, active: &[usize]) -> bool {
-        active
-            .iter()
-            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Warning(_)))
+        self.claims(active)
+            .any(|claim| matches!(claim, MarkClaim::Warning(_)))
     }
 
     /// Returns whether one of these marks claims that execution stops with a fault.
     pub(crate) fn faults(&self, active: &[usize]) -> bool {
-        active
-            .iter()
-            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Fault(_)))
+        self.claims(active)
+            .any(|claim| matches!(claim, MarkClaim::Fault(_)))
+    }
+
+    fn claims(&self, active: &[usize]) -> impl Iterator<Item = &MarkClaim> {
+        active.iter().map(|&index| &self.marks[index].claim)
     }
 
     /// Adds the claims of these marks to an assembler.

@@ -1,4 +1,4 @@
-//! Reads `*.st` files: one annotated program becomes a case in each of its dialects.
+//! Reads `*.st` files: a header and one annotated program become a case in each of its dialects.
 //!
 //! Basis: conformance-cases/README.md (marks).
 
@@ -9,17 +9,18 @@ use toml::Spanned;
 
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
+use crate::bases::Bases;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{self, DialectGroup, FileContext, Harvest, ProbeFrame};
-use crate::header::{self, FileHeader};
 use crate::mark::MarkWord;
 use crate::mark_reader::{MARKS, MarkReader};
 use crate::place::TextPlace;
 use crate::program::ProgramTemplate;
 use crate::scan::{RawMark, scan};
 use crate::toml_text;
+use serde::Deserialize;
 
 /// Reads a program file.
 pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
@@ -65,7 +66,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
     }
     let frame = ProbeFrame {
         summary: header.summary.as_deref().map(Arc::from),
-        tags: header::tags(header.tags.iter()),
+        tags: tags(header.tags.iter()),
         scans: frame::scans(header.scans.as_ref(), lines, mistakes),
     };
     let id: Arc<str> = context.id.as_str().into();
@@ -185,4 +186,43 @@ fn note_marks_without_dialect(
             ));
         }
     }
+}
+
+/// The header of a `.st` file.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FileHeader {
+    pub(crate) title: String,
+    pub(crate) basis: Option<Spanned<Bases>>,
+    pub(crate) dialects: Vec<Spanned<String>>,
+    pub(crate) scans: Option<Spanned<u32>>,
+    #[serde(default)]
+    pub(crate) tags: Vec<String>,
+    pub(crate) summary: Option<String>,
+    #[serde(default)]
+    pub(crate) set: Vec<SetKey>,
+    #[serde(default)]
+    pub(crate) clock: Vec<ClockKey>,
+}
+
+/// `[[set]]`: a variable that is written before a scan.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SetKey {
+    pub(crate) before: Spanned<u32>,
+    pub(crate) name: String,
+    pub(crate) value: Spanned<String>,
+}
+
+/// `[[clock]]`: the time before a scan.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ClockKey {
+    pub(crate) before: Spanned<u32>,
+    pub(crate) value: Spanned<String>,
+}
+
+/// Converts tags to the form that cases share.
+pub(crate) fn tags<'a>(tags: impl Iterator<Item = &'a String>) -> Arc<[Arc<str>]> {
+    tags.map(|tag| Arc::from(tag.as_str())).collect()
 }

@@ -11,13 +11,13 @@ mod recordings;
 mod saved;
 mod sections;
 
+use crate::error::suggestion;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use stickler_types::{Contradiction, DialectName, PrintedResult, RecordingOrigin, Relation, Versions, words};
 
-use crate::near::suggestion;
 use crate::place::Lines;
 use examples::SectionExamples;
 pub(crate) use read::read;

@@ -5,8 +5,7 @@ use crate::scan::scan;
 use crate::template::Template;
 use crate::{Dialects, QuoteResult, Sources, Suite, ToldSymptom, Wanted, files, ident, sources};
 use stickler_mdtest::{Example, check_examples};
-use stickler_types::DialectName;
-use stickler_types::join;
+use stickler_types::{DialectName, join};
 
 #[test]
 fn golden_conditions() {

@@ -2,12 +2,11 @@
 //!
 //! Basis: conformance-cases/README.md (scans).
 
+use crate::error::suggestion;
 use rustc_hash::FxHashMap;
 use stickler_syntax::names::{DeclaredKind, declared};
 use stickler_syntax::tree::{CaseFolded, PouKind, TypeSpecificationKind, VariableKind};
 use stickler_types::{Dialect, ElementaryType, Value};
-
-use crate::near::suggestion;
 
 /// The greatest number of scans that a program runs.
 pub(crate) const MAX_SCANS: u32 = 1_000_000;

@@ -292,7 +292,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         self.note_if(section.access.is_some(), "access-specifier", section.span);
         self.note_if(section.constant, "constant", section.span);
         if let Some(retention) = section.retention {
-            let is_retain = retention.eq_ignore_ascii_case("RETAIN");
+            let is_retain = retention == CaseFolded("RETAIN");
             self.note(if is_retain { "retain" } else { "non-retain" }, section.span);
         }
     }

@@ -23,7 +23,6 @@
 pub mod decoding;
 pub mod diagnostic;
 mod edits;
-mod ending;
 pub mod features;
 mod keyword;
 mod lexer;
@@ -32,7 +31,6 @@ mod namespaces;
 mod parser;
 mod parts;
 mod qualifiers;
-mod renaming;
 mod renderer;
 pub mod source;
 #[cfg(test)]
@@ -41,12 +39,10 @@ pub mod token;
 pub mod tree;
 pub mod visitor;
 
-pub use edits::Edits;
-pub use ending::last_token;
+pub use edits::{Edits, Renaming};
 pub use namespaces::{Meaning, NamespaceId, Namespaces};
 pub use parser::{MAX_NESTING, parse};
 pub use parts::{DeclaredSection, Indivisible, ProgramParts};
 pub use qualifiers::resolve_qualifiers;
-pub use renaming::Renaming;
 pub use renderer::render;
-pub use token::{Tokens, tokens, words};
+pub use token::{Tokens, last_token, tokens, words};

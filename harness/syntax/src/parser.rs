@@ -9,7 +9,6 @@ mod expressions;
 mod initializers;
 mod namespaces;
 mod objects;
-mod open;
 mod partial_access;
 mod paths;
 mod recovery;

@@ -1,5 +1,6 @@
 //! Tokens: what the lexer makes of the text, and the parser reads.
 
+use super::lexer;
 use crate::lexer::lex;
 use crate::source::{Span, saturating_u32};
 use crate::tree::Name;
@@ -247,6 +248,18 @@ impl TokenKind {
     }
 }
 
+/// The span of the last token of a text, to which belongs what is wrong at its end; the empty span at the
+/// start where the text has no token.
+pub fn last_token(text: &str, dialect: &Dialect) -> Span {
+    let tokens = lexer::lex(text, dialect).tokens;
+    // The very last one stands for the end itself.
+    tokens
+        .iter()
+        .rev()
+        .nth(1)
+        .map_or(Span::default(), |token| token.span)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -269,5 +282,12 @@ mod tests {
         for open in ["(* a", "{ a"] {
             assert!(!tokens(open, dialect).is_complete, "{open}");
         }
+    }
+
+    #[test]
+    fn comments_and_blanks_behind_the_last_token_do_not_matter() {
+        let dialect = Dialect::of(DialectName::IRONPLC_ED2);
+        assert_eq!(last_token("a b (* c *)\n", dialect), Span { start: 2, end: 3 });
+        assert_eq!(last_token("(* c *)", dialect), Span::default());
     }
 }

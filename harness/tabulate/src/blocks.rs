@@ -55,6 +55,7 @@ fn computed(columns: &[String], row: &[String]) -> Result<Vec<String>, String> {
 }
 
 /// The sequences that a row has.
+#[derive(Default)]
 struct Wanted {
     /// `PV 0 1`, `PT 5`: the presets by scan in turn, numbers or `least` and `greatest` of a type; times in seconds.
     presets: Vec<i128>,
@@ -89,13 +90,9 @@ impl Wanted {
                 .collect::<Result<Vec<i128>, String>>()
         };
         let mut wanted = Wanted {
-            presets: Vec::new(),
-            first: Vec::new(),
-            rule: Rule::Standard,
             length: 1,
             part: (1, 1),
-            passed: None,
-            is_side_by_side: false,
+            ..Wanted::default()
         };
         for phrase in text.split(", ") {
             let unknown = || format!("`{phrase}` is no phrase of `sequences`");

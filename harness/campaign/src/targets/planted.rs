@@ -6,9 +6,8 @@ use std::rc::Rc;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
 use stickler_generate::plant::{Planted, plant, plant_kind};
-use stickler_generate::random;
-use stickler_generate::reduce;
 use stickler_generate::writer::{Style, write};
+use stickler_generate::{random, reduce};
 use stickler_reduce::{
     Interestingness, METHOD, Reduction, ReductionBudget, ReductionMethod, ReferenceRules, StopReason,
     TextDraft, drop_unused, minimise, text_pass,

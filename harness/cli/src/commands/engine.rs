@@ -9,8 +9,7 @@ use std::env;
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
-use stickler_types::join;
-use stickler_types::shortened;
+use stickler_types::{join, shortened};
 
 /// Answers requests on stdin until `bye` or its end, or validates an adapter by the requests of the smoke set.
 ///

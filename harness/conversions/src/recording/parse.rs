@@ -193,7 +193,7 @@ fn function_row(key: &str, row: &RecordedRow) -> Result<FunctionAnswers, String>
     let result = type_of(result)?;
     let calls = match row {
         RecordedRow::Refused(word) => {
-            let kind = RefusalKind::from_word(word);
+            let kind = RefusalKind::stored(word);
             return Ok(FunctionAnswers::Refused(kind.ok_or_else(|| no_answer(word))?));
         }
         RecordedRow::Calls(calls) => calls,
@@ -202,7 +202,7 @@ fn function_row(key: &str, row: &RecordedRow) -> Result<FunctionAnswers, String>
         Some((answer, given)) if given.len() == operands.len() => {
             let typed = given.iter().zip(&operands);
             let values = typed.map(|(text, ty)| value(text, *ty));
-            let answer = match RefusalKind::from_word(answer) {
+            let answer = match RefusalKind::stored(answer) {
                 Some(kind) => Err(kind),
                 None => Ok(observed(answer, result).ok_or_else(|| no_answer(answer))?),
             };

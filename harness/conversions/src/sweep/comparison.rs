@@ -1,11 +1,11 @@
 //! Compares the results of a converter with those of exact arithmetic, for a range of inputs.
 
 use crate::sweep::agenda::Sweep;
-use crate::sweep::converter::Converter;
-use crate::sweep::findings::{Difference, SweepFindings};
+use crate::sweep::findings::{Difference, SweepFindings, SweepProgress};
 use std::ops::Range;
 use stickler_exact::{Bulk, expected};
 use stickler_types::Value;
+use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
 /// The number of raw forms that are converted before they are compared; three buffers of this size stay in the nearest cache.
 const BLOCK: usize = 1024;
@@ -109,4 +109,51 @@ impl<'s> SweepComparison<'s> {
         }
         found.done += 1;
     }
+}
+
+/// Compares the result of every input of the sweep with exact arithmetic, on the given number of threads (0: one for each
+/// processor).
+///
+/// Calls `progress` whenever some more inputs are done. When `cancel` is requested, finishes the inputs that have been begun and
+/// leaves the rest: the compared inputs always are all inputs up to a place.
+///
+/// # Errors
+/// [`SpawnError`] where the system gives no threads.
+pub fn run(
+    sweep: &Sweep,
+    converter: &dyn Converter,
+    jobs: usize,
+    progress: &dyn Fn(SweepProgress),
+    cancel: &Cancellation,
+) -> Result<SweepFindings, SpawnError> {
+    let inputs = sweep.domain.len();
+    let comparison = SweepComparison::new(sweep, converter);
+    let mut findings = SweepFindings::new(inputs);
+    let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.is_requested());
+    WorkerPool::new(jobs).for_each(
+        tasks,
+        || Ok::<_, SpawnError>(comparison.clone()),
+        |comparison, places| comparison.compare(places),
+        |found| {
+            findings.add(found);
+            progress(findings.progress());
+        },
+    )?;
+    Ok(findings)
+}
+
+/// Returns the places of all inputs in order, in ranges of `step`.
+fn tasks(step: usize, inputs: u64) -> impl Iterator<Item = Range<u64>> {
+    let starts = (0..inputs).step_by(step);
+    starts.map(move |start| start..inputs.min(start.saturating_add(step as u64)))
+}
+
+/// A conversion of values. The reference implements it; tests put broken conversions in its place.
+pub trait Converter: Sync {
+    /// Writes the raw form of the result for the raw form of each operand; called only for conversions of one operand, where
+    /// neither the operand nor the result is a text. The slices are equally long.
+    fn convert_all(&self, operands: &[u64], results: &mut [u64]);
+
+    /// Returns the result for operands of any types.
+    fn convert(&self, operands: &[Value]) -> Value;
 }

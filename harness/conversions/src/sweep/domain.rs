@@ -2,7 +2,6 @@
 
 mod choose;
 mod operands;
-mod sample;
 mod texts;
 
 pub use choose::{Domain, Sampling};

@@ -30,7 +30,6 @@ mod checksum;
 mod counter;
 mod findings;
 mod plan;
-mod program;
 mod queue;
 mod run;
 #[cfg(test)]

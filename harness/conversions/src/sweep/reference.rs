@@ -1,11 +1,10 @@
 //! The reference's own conversion, by the same functions that its machine calls.
 
-use crate::sweep::converter::Converter;
+use crate::sweep::comparison::Converter;
 use stickler_exact::{Operation, Signature};
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
 use stickler_reference::execution::{UnaryFunction, length};
-use stickler_types::Dialect;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{Dialect, DialectName, ElementaryType, Value};
 
 /// A conversion function of the reference between fixed types, with the rules of a dialect.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -1,6 +1,6 @@
 //! Tests sweeps through programs: of the reference, and of engines with a single planted error.
 
-use crate::between::{reading, wrong};
+use crate::support::{reading, wrong};
 use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};

@@ -1,6 +1,5 @@
 //! Tests of sweeps by the crate's public interface: inputs, findings and cancellation.
 
-mod between;
 mod broken;
 mod catalogue;
 mod domains;

@@ -1,6 +1,7 @@
 //! Functions and types that several tests share.
 
 use stickler_conversions::sweep::{Converter, Sampling, Sweep, SweepFindings, SweepMethod, agenda, run};
+use stickler_engines::{ClosureEngine, RunRequest};
 use stickler_types::{DialectName, Value};
 use stickler_workers::Cancellation;
 
@@ -57,4 +58,20 @@ impl<F: Fn(u64, u64) -> u64 + Sync> Converter for Spoilt<'_, F> {
             (_, right) => right,
         }
     }
+}
+
+/// Returns the reference with a function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
+pub fn wrong(function: &str, from: &str, to: &str, body: &str) -> ClosureEngine<'static> {
+    let body = body.replace("RIGHT", &format!("{function}(x)"));
+    let call = format!(":= {function}(");
+    let declared = format!("FUNCTION Wrong : {to}\nVAR_INPUT x : {from}; END_VAR\n{body}\nEND_FUNCTION\n");
+    reading(move |source| format!("{declared}{}", source.replace(&call, ":= Wrong(")))
+}
+
+/// Returns the reference that reads another program than it is given.
+pub fn reading<'f>(other: impl Fn(&str) -> String + Send + Sync + 'f) -> ClosureEngine<'f> {
+    ClosureEngine::new("reference", move |reference, request| {
+        let source = &other(request.source);
+        reference.run(&RunRequest { source, ..*request })
+    })
 }

@@ -94,12 +94,9 @@ fn without_type(text: &str) -> &str {
 }
 
 fn based(text: &str) -> Option<(u32, &str)> {
-    for (prefix, base) in [("16#", 16), ("2#", 2), ("8#", 8), ("0x", 16), ("0X", 16)] {
-        if let Some(digits) = text.strip_prefix(prefix) {
-            return Some((base, digits));
-        }
-    }
-    None
+    let bases = [("16#", 16), ("2#", 2), ("8#", 8), ("0x", 16), ("0X", 16)];
+    let mut bases = bases.into_iter();
+    bases.find_map(|(prefix, base)| Some((base, text.strip_prefix(prefix)?)))
 }
 
 fn in_base(base: u32, digits: &str) -> Option<Number> {

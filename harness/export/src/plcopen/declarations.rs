@@ -21,7 +21,7 @@ impl PageSource<'_> {
             VariableKind::Global => "globalVars",
             VariableKind::Configured => "configVars",
         };
-        let retention = block.retention.map(str::to_ascii_uppercase);
+        let retention = block.retention.map(|word| word.0.to_ascii_uppercase());
         let kept = match retention.as_deref() {
             Some("RETAIN") => Some("retain"),
             Some("NON_RETAIN") => Some("nonretain"),

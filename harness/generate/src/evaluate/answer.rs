@@ -114,10 +114,9 @@ impl OpenQuestion {
             }
             OpenQuestion::MomentRange => "iec-61131-3: Tables 10 and 35",
             OpenQuestion::LoopVariable | OpenQuestion::LoopChanged => "iec-61131-3: 7.3.3.4.2",
-            OpenQuestion::TextLength => "iec-61131-3: Table 10",
             OpenQuestion::AliasedInOut | OpenQuestion::OutputPlace => "iec-61131-3: 6.6.1",
             OpenQuestion::Timer => "iec-61131-3: Figure 15",
-            OpenQuestion::InitialDate => "iec-61131-3: Table 10",
+            OpenQuestion::TextLength | OpenQuestion::InitialDate => "iec-61131-3: Table 10",
         }
     }
 }

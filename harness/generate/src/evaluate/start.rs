@@ -1,8 +1,7 @@
 //! Initial values: of types, of variables, and of the instances of function blocks.
 
 use super::evaluator::ModelEvaluator;
-use super::memory::MemoryCell;
-use super::memory::{elements, limited};
+use super::memory::{MemoryCell, elements, limited};
 use super::{Evaluated, OpenQuestion, ill_formed};
 use crate::model::{InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;

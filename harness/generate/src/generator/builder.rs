@@ -87,7 +87,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
             program: Program::empty(dialect),
             function_costs: Vec::new(),
             block_costs: Vec::new(),
-            pou: PouScope::default(),
+            pou: PouScope::new(),
             is_main: false,
             statements_left: 0,
             nodes_left: 0,

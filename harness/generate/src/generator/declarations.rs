@@ -263,7 +263,7 @@ impl ProgramBuilder<'_, '_> {
 
     /// Starts a POU that may get `statements` statements.
     pub fn begin(&mut self, statements: usize) {
-        self.pou = PouScope::default();
+        self.pou = PouScope::new();
         self.statements_left = statements;
     }
 }

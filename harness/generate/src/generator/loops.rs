@@ -4,8 +4,8 @@ use super::TypeContext;
 use super::builder::ProgramBuilder;
 use super::scope::VisiblePlace;
 use crate::model::{
-    BinaryOperator, Expression, ForLoop, LiteralForm, PathStep, StandardFunction, Statement, Type,
-    VariableId, assign, integer, whole,
+    BinaryOperator, Expression, ForLoop, LiteralForm, PathStep, StandardFunction, Statement, VariableId,
+    assign, integer, whole,
 };
 use stickler_types::ElementaryType;
 
@@ -120,7 +120,7 @@ impl ProgramBuilder<'_, '_> {
             bounds.from = limited;
         }
         if self.random.chance(1, 4)
-            && let Some(variable) = self.lockable_variable(ty)
+            && let Some(variable) = self.whole_variable(ty, |unreserved| unreserved.writable)
         {
             let limit = |number| integer(ty, number, LiteralForm::Typed);
             let arguments = vec![limit(low), whole(variable, ty), limit(high)];
@@ -128,13 +128,6 @@ impl ProgramBuilder<'_, '_> {
             bounds.locked = Some(variable);
         }
         bounds
-    }
-
-    /// Picks a whole variable that is not reserved.
-    fn lockable_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
-        let wanted = Type::Elementary(ty);
-        let chosen = self.choose(|seen| seen.path.is_empty() && seen.writable && seen.ty == wanted)?;
-        Some(chosen.variable)
     }
 
     fn bound(&mut self, ty: ElementaryType, number: i64) -> Expression {

@@ -86,16 +86,21 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates `LIMIT(low, variable, high)`; `None` if there is no variable of this integer type.
     pub fn limited(&mut self, ty: ElementaryType, low: i64, high: i64) -> Option<Expression> {
-        let variable = self.plain_variable(ty)?;
+        // No compiler knows its value.
+        let variable = self.whole_variable(ty, |seen| !seen.constant)?;
         let typed = |number| integer(ty, number, LiteralForm::Typed);
         let arguments = vec![typed(low), whole(variable, ty), typed(high)];
         Some(Expression::standard(StandardFunction::Limit, arguments, ty))
     }
 
-    /// Picks a whole variable of a type whose value no compiler knows.
-    pub fn plain_variable(&mut self, ty: ElementaryType) -> Option<VariableId> {
+    /// Picks a whole variable of a type that satisfies a predicate.
+    pub fn whole_variable(
+        &mut self,
+        ty: ElementaryType,
+        suits: fn(&VisiblePlace) -> bool,
+    ) -> Option<VariableId> {
         let wanted = Type::Elementary(ty);
-        let chosen = self.choose(|seen| seen.path.is_empty() && !seen.constant && seen.ty == wanted)?;
+        let chosen = self.choose(|seen| seen.path.is_empty() && suits(seen) && seen.ty == wanted)?;
         Some(chosen.variable)
     }
 

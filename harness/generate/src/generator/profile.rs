@@ -159,10 +159,8 @@ impl DialectProfile {
     /// Basis: ironplc-type-conversions: Cross-family widening; rule: literal-as-operand.
     pub fn takes_untyped(&self, ty: ElementaryType, context: TypeContext) -> bool {
         match ty.family() {
-            Family::Boolean | Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
-                true
-            }
-            Family::Text => true,
+            Family::Boolean | Family::Text => true,
+            Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => true,
             // `'a'` may be a text of one character, and no document says whether it is a character as well.
             Family::Character => false,
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,

@@ -7,6 +7,7 @@ use crate::model::{
 use stickler_types::{ElementaryType, Value};
 
 /// The POU under construction.
+#[derive(Default)]
 pub(super) struct PouScope {
     pub variables: Vec<Variable>,
     /// Every readable variable, element and part.
@@ -54,23 +55,15 @@ pub(super) struct HeldValue {
     pub value: Value,
 }
 
-impl Default for PouScope {
-    fn default() -> PouScope {
+impl PouScope {
+    /// Returns the scope of a unit without variables, at the first of whose statements each call comes once.
+    pub fn new() -> PouScope {
         PouScope {
-            variables: Vec::new(),
-            places: Vec::new(),
-            held: Vec::new(),
-            loops: Vec::new(),
-            idle: Vec::new(),
-            locked: Vec::new(),
-            loops_around: 0,
             turns: 1,
-            cost: 0,
+            ..PouScope::default()
         }
     }
-}
 
-impl PouScope {
     /// Declares a variable that statements may use; of an instance of a function block only the outputs are visible.
     pub fn declare(&mut self, variable: Variable, program: &Program) -> VariableId {
         let id = VariableId(self.variables.len());

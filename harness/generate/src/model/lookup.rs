@@ -3,25 +3,25 @@
 use super::{
     DeclaredKind, Expression, PlaceSelector, Pou, Program, Type, Unit, Variable, VariableId, VariableSection,
 };
-use stickler_types::ElementaryType;
-use stickler_types::join;
+use stickler_types::{ElementaryType, join};
 
 impl Program {
     /// Returns the type that an alias stands for; any other type itself.
     pub fn unaliased<'t>(&'t self, ty: &'t Type) -> &'t Type {
-        let Type::Declared(declared) = ty else {
-            return ty;
-        };
-        match self.types.get(*declared).map(|declaration| &declaration.kind) {
+        match self.definition(ty) {
             Some(DeclaredKind::Alias(of)) => of,
             _ => ty,
         }
     }
 
+    fn definition(&self, ty: &Type) -> Option<&DeclaredKind> {
+        let Type::Declared(declared) = ty else { return None };
+        Some(&self.types.get(*declared)?.kind)
+    }
+
     /// Returns the fields of a structure, each with its name, type and initial value; `None` for any other type.
     pub fn fields(&self, ty: &Type) -> Option<&[(String, Type, Option<Expression>)]> {
-        let Type::Declared(declared) = ty else { return None };
-        match &self.types.get(*declared)?.kind {
+        match self.definition(ty)? {
             DeclaredKind::Structure(fields) => Some(fields),
             _ => None,
         }
@@ -29,8 +29,7 @@ impl Program {
 
     /// Returns the names of the values of an enumeration; `None` for any other type.
     pub fn enumerated_values(&self, ty: &Type) -> Option<&[String]> {
-        let Type::Declared(declared) = ty else { return None };
-        match &self.types.get(*declared)?.kind {
+        match self.definition(ty)? {
             DeclaredKind::Enumeration(names) => Some(names),
             _ => None,
         }

@@ -9,8 +9,7 @@ use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::SourceUnit;
 use stickler_syntax::{parse, render};
-use stickler_types::DialectName;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Dialect, DialectName};
 
 /// The dialect of a text that names none.
 const DIALECT: DialectName = DialectName::IRONPLC_ED3;

@@ -31,8 +31,7 @@ pub(super) fn written(expression: &Expression) -> Option<ElementaryType> {
         | ExpressionKind::Bit(..)
         | ExpressionKind::Convert(..)
         | ExpressionKind::Call(..) => own,
-        ExpressionKind::Widen(operand) => written(operand),
-        ExpressionKind::Unary(_, operand) => written(operand),
+        ExpressionKind::Widen(operand) | ExpressionKind::Unary(_, operand) => written(operand),
         ExpressionKind::Binary(operator, left, right) => {
             // One operand converts to the type of the other, which is the type of the whole.
             let rigid = operator.is_comparison() || written(left).or_else(|| written(right)).is_some();

@@ -72,9 +72,8 @@ impl Reader<'_> {
             tree::StatementKind::Exit => Statement::Exit,
             tree::StatementKind::Return => Statement::Return,
             tree::StatementKind::Jump(_) | tree::StatementKind::Label(_) => return None,
-            tree::StatementKind::Binding { .. }
-            | tree::StatementKind::Continue
-            | tree::StatementKind::Empty => return None,
+            tree::StatementKind::Binding { .. } | tree::StatementKind::Continue => return None,
+            tree::StatementKind::Empty => return None,
         })
     }
 

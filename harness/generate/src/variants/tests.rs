@@ -48,8 +48,8 @@ type VariantChange = fn(&mut Program, &mut Random<'_, '_>) -> usize;
 #[test]
 fn what_changes_the_model_changes_no_value() {
     let changes: [(&str, VariantChange); 7] = [
-        ("hoist", literals::hoist),
-        ("type_all", literals::type_all),
+        ("hoist", operands::hoist),
+        ("type_all", operands::type_all),
         ("swap", operands::swap),
         ("split", operands::split),
         ("unroll", loops::unroll),

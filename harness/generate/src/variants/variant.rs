@@ -3,14 +3,13 @@
 //! Basis: iec-61131-3: 6.1.2 (identifiers and keywords do not distinguish cases; literals neither, but for the characters of
 //! texts).
 
-use super::{dead_code, literals, loops, operands};
+use super::{dead_code, loops, operands};
 use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{Keywords, Style, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
-use stickler_types::join;
-use stickler_types::words;
+use stickler_types::{join, words};
 
 words! {
     /// A way to write a program differently without changing its meaning.
@@ -77,8 +76,8 @@ impl Variant {
             Variant::ExplicitConversions => style.explicit_conversions = true,
             Variant::NamedArguments => style.named_arguments = true,
             Variant::Capitals => return random_case(program, &mut random),
-            Variant::ConstantsHoisted => return changed(program, &mut random, literals::hoist),
-            Variant::TypedLiterals => return changed(program, &mut random, literals::type_all),
+            Variant::ConstantsHoisted => return changed(program, &mut random, operands::hoist),
+            Variant::TypedLiterals => return changed(program, &mut random, operands::type_all),
             Variant::OperandsSwapped => return changed(program, &mut random, operands::swap),
             Variant::Temporaries => return changed(program, &mut random, operands::split),
             Variant::LoopUnrolled => return changed(program, &mut random, loops::unroll),

@@ -3,8 +3,7 @@
 use stickler_generate::oracles::FuzzTarget;
 use stickler_mdtest::expanded;
 use stickler_syntax::parse;
-use stickler_types::dialect::Dialect;
-use stickler_types::{DialectName, SplitMix64};
+use stickler_types::{Dialect, DialectName, SplitMix64};
 
 /// Programs that use every production between them.
 const SAMPLES: [&str; 4] = [

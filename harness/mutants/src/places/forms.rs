@@ -3,8 +3,8 @@
 use super::names::SourceNames;
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::tree::{
-    ExpressionId, ExpressionKind, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
-    UnaryOperator, VariableBlock, VariableKind,
+    CaseFolded, ExpressionId, ExpressionKind, Pou, PouKind, SourceUnit, TypeSpecification,
+    TypeSpecificationKind, UnaryOperator, VariableBlock, VariableKind,
 };
 
 /// The forms of the expressions of a program organization unit.
@@ -65,11 +65,10 @@ impl<'u> Forms<'_, 'u> {
             ExpressionKind::Bit { .. } => "bit",
             ExpressionKind::Name(name) => {
                 let (block, specification) = self.variable(name.text)?;
-                let is_retained = |word: &str| word.eq_ignore_ascii_case("RETAIN");
                 section(block.kind).unwrap_or(match block.retention {
                     _ if self.is_located(name.text) => "located",
                     _ if block.constant => "constant",
-                    Some(word) if is_retained(word) => "retained",
+                    Some(CaseFolded(word)) if word.eq_ignore_ascii_case("RETAIN") => "retained",
                     _ => self.names.derived(specification).unwrap_or("variable"),
                 })
             }

@@ -7,8 +7,7 @@ use super::saboteur::{BrokenPlace, Saboteur};
 use std::collections::BTreeSet;
 use stickler_reference::conversion::{conversion_function_name, implicit};
 use stickler_suite::{ProgramPlace, Role, Suite};
-use stickler_types::Dialect;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{Dialect, DialectName, ElementaryType};
 
 /// A value that goes from one type to another in a dialect.
 type ValueFlow = (DialectName, ElementaryType, ElementaryType);

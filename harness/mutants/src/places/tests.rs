@@ -14,9 +14,7 @@ use std::sync::LazyLock;
 use stickler_engines::{EngineSession, Observation, Outcome, RunRequest};
 use stickler_mdtest::assert_fits;
 use stickler_suite::{Suite, Wanted};
-use stickler_types::Dialect;
-use stickler_types::DialectName;
-use stickler_types::join;
+use stickler_types::{Dialect, DialectName, join};
 
 /// A part of the suite that has programs of every place.
 static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {

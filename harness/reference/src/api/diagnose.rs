@@ -6,8 +6,7 @@ use crate::semantics::{self, CheckedProgram};
 use stickler_syntax::decoding::decode;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, has_errors};
 use stickler_syntax::source::LineIndex;
-use stickler_types::dialect::Dialect;
-use stickler_types::{Code, Diagnostic, DialectName};
+use stickler_types::{Code, Diagnostic, Dialect, DialectName};
 
 /// A source text after all stages but the last.
 pub(super) struct Checked {

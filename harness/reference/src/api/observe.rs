@@ -1,6 +1,6 @@
 //! The values that a request asks for, taken from the machine by their names.
 
-use super::request::RequestError;
+use super::run::RequestError;
 use crate::execution::Machine;
 use crate::semantics::{CheckedProgram, ObservedType, ObservedVariable};
 use stickler_types::{ElementaryType, NamedValue, Observation, Value};

@@ -1,7 +1,7 @@
 //! The variables that a request sets between scans.
 
 use super::observe::{check_scan, resolve};
-use super::request::RequestError;
+use super::run::RequestError;
 use crate::execution::Machine;
 use crate::library::CLOCKS;
 use crate::semantics::{CheckedProgram, ObservedType, ObservedVariable};

@@ -6,8 +6,7 @@
 use super::{Conversion, ConversionRule};
 use std::sync::LazyLock;
 use stickler_types::dialect::COMMON_CHOICES;
-use stickler_types::dialect::Dialect;
-use stickler_types::{ConversionChoices, ElementaryType, Rounding};
+use stickler_types::{ConversionChoices, Dialect, ElementaryType, Rounding};
 
 /// The parameter of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

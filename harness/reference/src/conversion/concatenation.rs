@@ -1,7 +1,6 @@
 //! The conversion functions of two arguments, which join a date and a time of day.
 
-use stickler_types::ElementaryType;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Dialect, ElementaryType};
 
 /// A function that joins a date and a time of day.
 ///

@@ -1,8 +1,8 @@
 //! THE rule that says whether a value converts implicitly, and with what result.
 
 use super::{Conversion, ConversionRule};
-use stickler_types::dialect::{Dialect, ImplicitWarnings, OperandTypes, Widening};
-use stickler_types::{Code, ElementaryType, Family, MatrixWord};
+use stickler_types::dialect::{ImplicitWarnings, OperandTypes, Widening};
+use stickler_types::{Code, Dialect, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity

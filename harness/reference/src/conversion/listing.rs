@@ -4,8 +4,7 @@
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
 use std::sync::LazyLock;
-use stickler_types::Dialect;
-use stickler_types::{ConversionChoices, ElementaryType, MomentUnits};
+use stickler_types::{ConversionChoices, Dialect, ElementaryType, MomentUnits};
 
 static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut names = of_pairs();

@@ -8,8 +8,7 @@ use super::inferred::Inferred;
 use super::pointer_types::fits_pointer;
 use super::types::{TypeId, TypeTable};
 use crate::conversion::{common_operand, of_operand};
-use stickler_types::ElementaryType;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Dialect, ElementaryType};
 
 /// The rules of types in a text: the table of types and the dialect.
 #[derive(Clone, Copy)]

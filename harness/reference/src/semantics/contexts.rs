@@ -4,8 +4,7 @@ use super::inferred::Inferred;
 use super::pointer_types::{addresses_are_numbers, fits_pointer};
 use super::types::{TypeId, TypeKind, TypeTable};
 use crate::conversion::{implicit, of_operand};
-use stickler_types::dialect::Dialect;
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, Dialect, ElementaryType};
 
 /// The place in a program where a value stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

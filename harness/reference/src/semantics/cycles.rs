@@ -1,5 +1,8 @@
 //! Cycles in a graph, found without recursion: types that contain themselves, functions that call themselves.
 
+use super::lowering::Lowering;
+use stickler_types::Code;
+
 /// The most members of a cycle that are named; a long chain may hold as many long cycles as it has nodes.
 const MAX_MEMBERS: usize = 50;
 
@@ -67,6 +70,39 @@ enum State {
     New,
     Open,
     Done,
+}
+
+impl Lowering<'_> {
+    /// Reports program organization units that call themselves, which the standard forbids and the machine, with one frame for each
+    /// function, could not run: once for each cycle of calls, at the call that closes it.
+    ///
+    /// Basis: ironplc-problem-codes: P4005; iec-61131-3: 6.6.1 (no recursion).
+    pub(super) fn report_recursion(&mut self) {
+        let model = self.model;
+        let mut calls = vec![Vec::new(); model.pous.len()];
+        for &(caller, callee, span) in &self.calls {
+            calls[caller as usize].push((callee as usize, span));
+        }
+        let mut cycles = Vec::new();
+        walk(
+            calls.len(),
+            |pou| std::mem::take(&mut calls[pou]),
+            |event| {
+                if let WalkEvent::Cycle { note, members } = event {
+                    cycles.push((note, members));
+                }
+            },
+        );
+        for (span, members) in cycles {
+            let mut names: Vec<_> = members.iter().map(|&pou| model.pous[pou].pou.name.text).collect();
+            names.push(names[0]);
+            let message = format!(
+                "no function or function block may call itself: {}",
+                names.join(" calls ")
+            );
+            self.report(Code::RecursiveCycle, span, message);
+        }
+    }
 }
 
 #[cfg(test)]

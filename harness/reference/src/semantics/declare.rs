@@ -3,13 +3,13 @@
 //! global variables, and last the addresses.
 
 use super::address_layouts::AddressLayouts;
+use super::check::Reporter;
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{
     DefaultInitialValue, InitialRoutine, Instance, Model, PouEntry, SourceText, TopLevelName,
 };
 use super::pointer_types::PendingPointer;
-use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;

@@ -4,7 +4,7 @@ use super::calls::Callee;
 use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
-use super::misfit::describe;
+use super::suggestion::describe;
 use super::types::{TypeId, TypeKind, TypeMember};
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, VariableKind};
 

@@ -7,6 +7,7 @@
 
 use super::calls::Callee;
 use super::contexts::ValueContext;
+use super::emitter::Jump;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
@@ -83,9 +84,7 @@ impl<'m> Lowering<'m> {
         wanted: Option<TypeId>,
     ) -> LoweredValue {
         let span = self.span(node.0);
-        let executed = self.begin_execution(control, span);
-        self.emit(Instruction::Load(executed));
-        let skip = self.emitter.jump_if_false();
+        let (executed, skip) = self.begin_execution(control, span);
         let value = self.call_found(node, callee, &control.arguments, wanted);
         if value.ty == TypeId::ERROR {
             return value;
@@ -114,16 +113,14 @@ impl<'m> Lowering<'m> {
         control: &ExecutionControl<'m>,
     ) {
         let span = self.span(node.0);
-        let executed = self.begin_execution(control, span);
-        self.emit(Instruction::Load(executed));
-        let skip = self.emitter.jump_if_false();
+        let (executed, skip) = self.begin_execution(control, span);
         self.statement_found(node, callee, &control.arguments);
         self.emitter.land(skip);
         self.finish_execution(control, executed, span);
     }
 
-    /// Keeps the value of EN, and gives the cell.
-    fn begin_execution(&mut self, control: &ExecutionControl<'m>, span: Span) -> u32 {
+    /// Keeps the value of EN; gives its cell, and the jump that is taken where it is FALSE.
+    fn begin_execution(&mut self, control: &ExecutionControl<'m>, span: Span) -> (u32, Jump) {
         match control.enable {
             Some(enable) => {
                 self.coerce(enable, TypeId::BOOL, ValueContext::Argument);
@@ -132,7 +129,8 @@ impl<'m> Lowering<'m> {
         }
         let cell = self.temporary(span);
         self.emit(Instruction::Store(cell));
-        cell
+        self.emit(Instruction::Load(cell));
+        (cell, self.emitter.jump_if_false())
     }
 
     /// Gives ENO to its variable.

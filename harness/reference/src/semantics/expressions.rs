@@ -15,8 +15,8 @@ use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule, of_operand};
 use crate::instruction::Instruction;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
-use stickler_types::dialect::{Dialect, OperandTypes};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::dialect::OperandTypes;
+use stickler_types::{Code, Dialect, ElementaryType};
 
 impl<'m> Lowering<'m> {
     /// Puts a value on the stack where a declared type is expected: checks that it may stand there, converts

@@ -8,8 +8,8 @@ use super::operators::OperatorSignature;
 use super::promotion::prefixed;
 use super::types::{TypeId, TypeKind};
 use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
-use stickler_types::ElementaryType;
-use stickler_types::dialect::{Dialect, OperandTypes, ResultSigns};
+use stickler_types::dialect::{OperandTypes, ResultSigns};
+use stickler_types::{Dialect, ElementaryType};
 
 impl<'m> Lowering<'m> {
     /// Infers the type of an expression by itself. The left spine of a chain of operators is walked without

@@ -12,8 +12,7 @@ use std::borrow::Cow;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, quoted};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Literal, LiteralKind};
-use stickler_types::dialect::Dialect;
-use stickler_types::{Code, ElementaryType, Family, LiteralError, MomentUnits, literal};
+use stickler_types::{Code, Dialect, ElementaryType, Family, LiteralError, MomentUnits, literal};
 
 /// A literal with the sign that stands directly before it.
 #[derive(Clone, Copy)]

@@ -5,12 +5,12 @@
 //! reported the code is thrown away, so code for what is wrong need not make sense.
 
 use super::address_layouts::AddressLayouts;
+use super::check::Reporter;
 use super::common::TypeRules;
 use super::emitter::{Emitter, Jump, Loop};
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
 use super::model::{DeclaredVariable, Model, PouEntry};
-use super::reporter::Reporter;
 use super::scope::Scope;
 use super::statements::DeclaredLabel;
 use super::types::TypeId;

@@ -13,8 +13,7 @@ use stickler_syntax::tree::{
     VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_syntax::{Meaning, NamespaceId, Namespaces};
-use stickler_types::ElementaryType;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Dialect, ElementaryType};
 
 /// The source text and the rules that it is read by.
 #[derive(Clone, Copy, Debug)]

@@ -12,8 +12,8 @@ use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name};
-use stickler_types::dialect::{Dialect, PartialAccess, TextElements};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::dialect::{PartialAccess, TextElements};
+use stickler_types::{Code, Dialect, ElementaryType};
 
 impl<'m> Lowering<'m> {
     /// Puts the value of a variable, element, field or part on the stack.

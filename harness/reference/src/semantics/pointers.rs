@@ -143,11 +143,7 @@ impl<'m> Lowering<'m> {
         if !self.model.types.is_union(place.ty) {
             return place;
         }
-        if place.location != Location::Bytes {
-            self.push_address(place.location);
-            self.emit(Instruction::AddressOf);
-            self.addresses.are_taken = true;
-        }
+        self.push_address_in_bytes(place.location);
         VariablePlace {
             location: Location::Bytes,
             overlaid: true,
@@ -189,12 +185,17 @@ impl<'m> Lowering<'m> {
             let message = "the variable does not outlive the call, so nothing may refer to it";
             self.report(Code::RefOfEphemeralVariable, span, message);
         }
-        if place.location != Location::Bytes {
-            self.push_address(place.location);
+        self.push_address_in_bytes(place.location);
+        Some(place.ty)
+    }
+
+    /// Puts the address in bytes of a location on the stack, where it is not there already.
+    fn push_address_in_bytes(&mut self, location: Location) {
+        if location != Location::Bytes {
+            self.push_address(location);
             self.emit(Instruction::AddressOf);
             self.addresses.are_taken = true;
         }
-        Some(place.ty)
     }
 
     /// Returns whether a variable, of which an expression may name a part, is in VAR_TEMP or in a function.

@@ -8,8 +8,8 @@ use super::inferred::Inferred;
 use super::operators::{Action, TypedOperation};
 use super::types::TypeId;
 use stickler_syntax::tree::UnaryOperator;
-use stickler_types::ElementaryType;
-use stickler_types::dialect::{Dialect, OperandTypes, ResultSigns};
+use stickler_types::dialect::{OperandTypes, ResultSigns};
+use stickler_types::{Dialect, ElementaryType};
 
 impl TypeRules<'_> {
     /// Returns the types in which a dialect that promotes operands computes with two integers or bit strings, one of which may be an

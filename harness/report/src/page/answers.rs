@@ -18,6 +18,7 @@ pub(crate) struct PageAnswers {
 }
 
 /// The answers of an engine in a dialect.
+#[derive(Default)]
 struct AnswerColumn {
     engine: u32,
     dialect: u32,
@@ -106,9 +107,7 @@ impl PageAnswers {
             self.columns.push(AnswerColumn {
                 engine: key.0,
                 dialect: key.1,
-                recording: None,
-                comparisons: Vec::new(),
-                answers: HashMap::new(),
+                ..AnswerColumn::default()
             });
         }
         let known = self.columns[column].answers.entry(question).or_insert(answer);

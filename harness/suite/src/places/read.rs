@@ -8,8 +8,7 @@ use toml::Spanned;
 
 use super::{PlaceKey, PlaceUnit, Places, ProgramPlace, Role, TESTED};
 use crate::condition::{Condition, Testable};
-use crate::error::{CaseFileError, Mistake, in_file};
-use crate::near::suggestion;
+use crate::error::{CaseFileError, Mistake, in_file, suggestion};
 use crate::place::Lines;
 use crate::toml_text;
 use crate::{Dialects, Source, Sources, files, ident};

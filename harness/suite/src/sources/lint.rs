@@ -3,8 +3,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use super::{Source, SourceKind, Sources};
-use crate::error::{CaseFileError, Mistake};
-use crate::near::suggestion;
+use crate::error::{CaseFileError, Mistake, suggestion};
 use crate::{Case, Feature, Suite};
 use stickler_types::{Question, Value};
 

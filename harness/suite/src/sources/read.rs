@@ -9,8 +9,7 @@ use toml::Spanned;
 use super::examples::OmittedEntry;
 use super::sections::{SectionForm, first_paragraphs, headings};
 use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, ToldSymptom, recordings};
-use crate::error::{CaseFileError, Mistake, in_file};
-use crate::near::suggestion;
+use crate::error::{CaseFileError, Mistake, in_file, suggestion};
 use crate::toml_text::{self, Strings};
 use crate::{Dialects, files};
 

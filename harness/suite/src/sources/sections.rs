@@ -1,10 +1,9 @@
 //! The ways in which the sections of a source are named.
 
+use crate::error::suggestion;
 use std::collections::BTreeMap;
 
 use stickler_types::{Code, ElementaryType, join, words};
-
-use crate::near::suggestion;
 
 /// The names that the sections of a source have.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -12,8 +12,7 @@ use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
 use crate::program::ProgramTemplate;
-use crate::table::key_reader::KeyReader;
-use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
+use crate::table::keys::{KeyReader, PlacesKey, ProbeKey, TableFile};
 use crate::table::probe::{Probe, Target};
 use crate::template::Template;
 

@@ -1,4 +1,4 @@
-//! One cell of a matrix in one probe: the values that it takes, and the results that are expected.
+//! One cell of a matrix in one probe: the words that apply to it, the values that it takes, and the results that are expected.
 //!
 //! Basis: conformance-cases/README.md (a matrix of types).
 
@@ -198,18 +198,14 @@ impl CaseGroup<'_, '_> {
     /// Records a variable, if its type has values that can be observed.
     fn observe(&self, name: Arc<str>, own: Option<Arc<str>>, assembler: &mut Assembler) {
         let column = self.cell.column;
-        let enumeration = || {
-            column
-                .ordinary
-                .as_ref()
-                .is_some_and(|input| input.value.is_some())
-        };
-        let ty = match own {
-            Some(own) => Some(ElementaryType::declared(&own).map_or(own, elementary_name)),
-            None => match column.base {
-                Some(ty) => Some(elementary_name(ty)),
-                None => enumeration().then(|| Arc::clone(&column.name)),
-            },
+        let is_enumeration = |ordinary: &RowInput| ordinary.value.is_some();
+        let ty = match (own, column.base) {
+            (Some(own), _) => Some(ElementaryType::declared(&own).map_or(own, elementary_name)),
+            (None, Some(ty)) => Some(elementary_name(ty)),
+            (None, None) if column.ordinary.as_ref().is_some_and(is_enumeration) => {
+                Some(Arc::clone(&column.name))
+            }
+            (None, None) => None,
         };
         if let Some(ty) = ty {
             assembler.observe(name, ty);
@@ -229,4 +225,50 @@ impl CaseGroup<'_, '_> {
         let name = target.name.fill(&mut scratch, texts);
         (name, target.ty.as_ref().map(|ty| ty.fill(&mut scratch, texts)))
     }
+}
+
+/// The word that applies to a cell, and its origin.
+#[derive(Clone, Copy)]
+pub(super) struct CellWord {
+    pub(super) word: MatrixWord,
+    /// The dialect whose definition states the word, with the basis; `None` if the word is that of the matrix.
+    pub(super) stated: Option<(DialectName, &'static str)>,
+}
+
+/// Returns the words that apply to a cell, each with its dialects: that of the matrix, or that of a dialect's definition. A
+/// definition overrides only the words about implicit conversion.
+pub(super) fn words(
+    probe: &Probe<'_>,
+    row: &str,
+    column: &TypeInfo,
+    word: MatrixWord,
+    dialects: &[DialectName],
+) -> Vec<(CellWord, Vec<DialectName>)> {
+    let stated = |dialect: &DialectName| {
+        let pair = (
+            ElementaryType::from_name(row)?,
+            ElementaryType::from_name(&column.name)?,
+        );
+        // The tables that name a variant say what its documents do.
+        let own = dialect.definition().filter(|_| !dialect.is_variant())?;
+        let stated = own.implicit(pair.0, pair.1)?;
+        let basis = stated.basis.as_deref()?;
+        Some(CellWord {
+            word: stated.value,
+            stated: Some((*dialect, basis)),
+        })
+    };
+    let by_matrix = CellWord { word, stated: None };
+    if dialects.iter().all(|dialect| dialect.definition().is_none()) || !probe.is_implicit_conversion() {
+        return vec![(by_matrix, dialects.to_vec())];
+    }
+    let (others, overriding): (Vec<DialectName>, Vec<DialectName>) =
+        dialects.iter().partition(|dialect| stated(dialect).is_none());
+    let mut words = vec![(by_matrix, others)];
+    words.extend(
+        overriding
+            .iter()
+            .filter_map(|dialect| Some((stated(dialect)?, vec![*dialect]))),
+    );
+    words
 }

@@ -17,20 +17,16 @@ use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::model::MatrixCell;
 use crate::table::cell::{
-    ABOVE, BELOW, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE,
-    declarations, one_of,
+    ABOVE, BELOW, CaseGroup, CellTexts, CellWord, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES,
+    VALUE, declarations, one_of, words,
 };
 use crate::table::expansion::{CaseMaker, TableExpansion};
-use crate::table::inputs;
-use crate::table::key_reader::KeyReader;
-use crate::table::keys::MatrixKey;
-use crate::table::matrix::{Matrix, MatrixRow};
-use crate::table::neighbours::beside;
+use crate::table::inputs::{self, beside};
+use crate::table::keys::{KeyReader, MatrixKey};
+use crate::table::matrix::{self, Matrix, MatrixRow, Section};
 use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
-use crate::table::section::{self, Section};
 use crate::table::types::{self, RowInput, TypeInfo};
-use crate::table::word::{CellWord, words};
 
 /// The text that replaces a placeholder without a value.
 const UNKNOWN: &str = "?";
@@ -45,7 +41,7 @@ pub(crate) fn expand(
     let declared = types::declared(&table.file.types, table.context, &mut harvest.mistakes);
     let mut probes = probes::read(table.file, table.context, testable, harvest);
     let mut reader = KeyReader::new(table.context, testable);
-    let sections = section::read(&mut reader, table, key);
+    let sections = matrix::read(&mut reader, table, key);
     harvest.mistakes.append(&mut reader.mistakes);
     let mut expander = MatrixExpander(CaseMaker::new(table, harvest));
     expander.check_keys(&mut probes);

@@ -14,8 +14,8 @@ use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::mark::MarkWord;
 use crate::table::expansion::{CaseMaker, TableExpansion};
+use crate::table::inputs::{self, BESIDE};
 use crate::table::keys::TableRow;
-use crate::table::neighbours::{self, BESIDE};
 use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 
@@ -137,7 +137,9 @@ impl RowExpander<'_, '_> {
             for (number, row) in table.file.rows.iter().flatten().enumerate() {
                 let line = table.context.lines.of(row);
                 self.maker.visit(line)?;
-                self.row(probe, (number, row), line, &own)?;
+                if let Err(mistake) = self.row(probe, (number, row), line, &own) {
+                    self.maker.wrong(mistake);
+                }
             }
             if self.maker.harvest.mistakes.is_empty() {
                 let cases = self.maker.harvest.cases.len() - before;
@@ -147,6 +149,10 @@ impl RowExpander<'_, '_> {
         Ok(())
     }
 
+    /// Expands one row in one probe.
+    ///
+    /// # Errors
+    /// A mistake in the row, which leaves it without cases.
     fn row(
         &mut self,
         programs: &mut ProbePrograms<'_>,
@@ -160,33 +166,23 @@ impl RowExpander<'_, '_> {
         let columns = table.names.len() - UNWRITTEN;
         if cells.len() != columns {
             let message = format!("the row has {} cells for {columns} columns", cells.len());
-            self.maker.wrong(Mistake::new(line, message).key("rows"));
-            return Ok(());
+            return Err(Mistake::new(line, message).key("rows"));
         }
         let mut texts: Vec<&str> = cells.iter().map(|cell| &**cell).chain([""; UNWRITTEN]).collect();
         let probe = &programs.probe;
         if !probe.only.holds(&texts) {
             return Ok(());
         }
-        let dialects = match self.row_dialects(&texts, dialects) {
-            Ok(dialects) => dialects,
-            Err(message) => {
-                self.maker.wrong(Mistake::new(line, message).key("rows"));
-                return Ok(());
-            }
-        };
-        let expect = match self.expect(probe, &texts) {
-            Ok(Expect::None) => return Ok(()),
-            Ok(expect) => expect,
-            Err(message) => {
-                self.maker.wrong(Mistake::new(line, message).key("expect"));
-                return Ok(());
-            }
-        };
+        let wrong = |key| move |message: String| Mistake::new(line, message).key(key);
+        let dialects = self.row_dialects(&texts, dialects).map_err(wrong("rows"))?;
+        let expect = self.expect(probe, &texts).map_err(wrong("expect"))?;
+        if matches!(expect, Expect::None) {
+            return Ok(());
+        }
         let arriving = expect.untyped();
         texts[columns] = &arriving;
         let beside = match &expect {
-            Expect::Value(value) => neighbours::beside(value),
+            Expect::Value(value) => inputs::beside(value),
             _ => [String::new(), String::new()],
         };
         for (text, neighbour) in texts[columns + 1..].iter_mut().zip(&beside) {
@@ -196,8 +192,7 @@ impl RowExpander<'_, '_> {
             if let Some(probe) = programs.at(index, context, self.maker.harvest) {
                 if arriving.is_empty() && probe.program.used[columns] {
                     let message = format!("the probe `{}` needs a value that must arrive", probe.name);
-                    self.maker.wrong(Mistake::new(line, message).key("expect"));
-                    return Ok(());
+                    return Err(Mistake::new(line, message).key("expect"));
                 }
                 self.cases(probe, &texts, line, &expect, &dialects);
             }

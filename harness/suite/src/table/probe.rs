@@ -8,15 +8,14 @@ use toml::Spanned;
 use crate::condition::Condition;
 use crate::error::Mistake;
 use crate::frame::{self, ProbeFrame};
-use crate::header;
 use crate::ident;
 use crate::mark::{Known, MarkClaim};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::places::Placement;
 use crate::program::ProgramTemplate;
-use crate::table::key_reader::KeyReader;
-use crate::table::keys::{ProbeKey, TableFile};
+use crate::single;
+use crate::table::keys::{KeyReader, ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
 
 /// A probe, ready to be expanded.
@@ -81,7 +80,7 @@ impl<'a> KeyReader<'a, '_> {
         let scans = key.scans.as_ref().or(file.scans.as_ref());
         let frame = ProbeFrame {
             summary: key.summary.as_deref().or(file.summary.as_deref()).map(Arc::from),
-            tags: header::tags(file.tags.iter().chain(&key.tags)),
+            tags: single::tags(file.tags.iter().chain(&key.tags)),
             scans: frame::scans(scans, lines, &mut self.mistakes),
         };
         Some(Probe {

@@ -10,8 +10,7 @@ use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::places::Places;
 use crate::table::arranged::{self, Arranged};
-use crate::table::key_reader::KeyReader;
-use crate::table::keys::{ProbeKey, TableFile};
+use crate::table::keys::{KeyReader, ProbeKey, TableFile};
 use crate::table::probe::Probe;
 
 /// A probe of a table with its programs: the one that is written out, or one for each combination of places.

@@ -4,9 +4,8 @@ use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::table::expansion::TableExpansion;
-use crate::table::key_reader::KeyReader;
-use crate::table::keys::TableFile;
-use crate::table::{cell, expand_matrix, expand_rows, neighbours};
+use crate::table::keys::{KeyReader, TableFile};
+use crate::table::{cell, expand_matrix, expand_rows, inputs};
 use crate::toml_text;
 
 /// The largest number of columns of a table; placeholders are searched linearly among them.
@@ -33,7 +32,7 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
             .iter()
             .map(|column| column.get_ref().as_str())
             .chain([expand_rows::ARRIVING])
-            .chain(neighbours::BESIDE)
+            .chain(inputs::BESIDE)
             .map(Into::into)
             .collect(),
         _ => {

@@ -11,7 +11,7 @@ use crate::mark::MarkWord;
 use crate::table::keys::TypeKey;
 
 /// The type after which a row or a column is named.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct TypeInfo {
     pub(crate) name: Arc<str>,
     /// The elementary type that the type is or derives from.
@@ -108,11 +108,8 @@ impl TypeInfo {
             Some(ty) => boundaries::other_than(ty, value).map(|other| other.literal),
             None => {
                 let differs = |input: &&RowInput| value.is_none() || input.value.as_ref() != value;
-                self.boundaries
-                    .iter()
-                    .rev()
-                    .find(differs)
-                    .map(|other| other.literal.clone())
+                let other = self.boundaries.iter().rfind(differs);
+                other.map(|other| other.literal.clone())
             }
         }
     }
@@ -155,11 +152,7 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
         Some(ty) => TypeInfo::elementary(&name.into(), ty),
         None => TypeInfo {
             name: name.into(),
-            base,
-            declaration: Box::default(),
-            boundaries: Vec::new(),
-            ordinary: None,
-            telling: None,
+            ..TypeInfo::default()
         },
     };
     info.declaration = key.declaration.get_ref().trim().into();

@@ -264,10 +264,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         self.note_if(is_octal, "octal-literal", span);
         let key = match literal.kind {
             LiteralKind::Integer if ty == Some(ElementaryType::Bool) => Some("typed-literal-boolean-digit"),
-            LiteralKind::Integer => None,
             LiteralKind::BasedInteger => Some("based-literal"),
             LiteralKind::Real if text.contains(['E', 'e']) => Some("literal-exponent"),
-            LiteralKind::Real => None,
+            LiteralKind::Integer | LiteralKind::Real => None,
             LiteralKind::Boolean => prefix.map(|_| "typed-literal-boolean"),
             LiteralKind::SingleByteText => self.text_literal("string-literal", ty, text, expression),
             LiteralKind::DoubleByteText => self.text_literal("wide-string-literal", ty, text, expression),

@@ -5,32 +5,22 @@ use crate::source::Span;
 use crate::token::TokenKind;
 use stickler_types::Code;
 
-/// The end of a quoted text.
-pub(super) enum QuotedText {
-    /// A text that ends with its quote.
-    Closed,
-    /// A text that ends with its quote and has a mistake, which is reported.
-    Malformed,
-    /// A text that ends with its line, which is reported.
-    Open,
-}
-
 impl Lexer<'_, '_> {
-    /// A string without a type in front.
-    pub(super) fn quoted(&mut self, quote: u8) {
-        let start = self.at;
+    /// A string whose token begins at `start`: of one of two kinds, by its quotes.
+    pub(super) fn quoted(&mut self, start: usize, [single, double]: [TokenKind; 2]) {
+        let quote = self.peek(0);
         let kind = match self.skip_quoted(quote) {
-            QuotedText::Closed if quote == b'"' => TokenKind::DoubleByteText,
-            QuotedText::Closed => TokenKind::SingleByteText,
-            QuotedText::Malformed | QuotedText::Open => TokenKind::Malformed,
+            false => TokenKind::Malformed,
+            true if quote == b'"' => double,
+            true => single,
         };
         self.push(kind, start);
     }
 
-    /// Moves behind the closing quote, or to the end of the line, and says what is wrong in between.
+    /// Moves behind the closing quote, or to the end of the line, and says what is wrong in between; false where something is.
     ///
     /// Basis: Tables 5 and 6 of the third edition; an open string is a character sequence that matches nothing.
-    pub(super) fn skip_quoted(&mut self, quote: u8) -> QuotedText {
+    pub(super) fn skip_quoted(&mut self, quote: u8) -> bool {
         let start = self.at;
         let mut sound = true;
         self.at += 1;
@@ -42,11 +32,7 @@ impl Lexer<'_, '_> {
                 }
                 byte if byte == quote => {
                     self.at += 1;
-                    return if sound {
-                        QuotedText::Closed
-                    } else {
-                        QuotedText::Malformed
-                    };
+                    return sound;
                 }
                 b'$' => sound &= self.escape(quote),
                 b'\t' => self.at += 1,
@@ -65,7 +51,7 @@ impl Lexer<'_, '_> {
         self.report(Code::UnexpectedToken, start, || {
             "a character string is not closed on its line".to_owned()
         });
-        QuotedText::Open
+        false
     }
 
     /// `$` and what it stands before; false, and a diagnostic, where that is no escape.

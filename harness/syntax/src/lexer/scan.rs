@@ -7,8 +7,7 @@ use crate::keyword;
 use crate::source::{MAX_LENGTH, Span};
 use crate::token::{Token, TokenKind};
 use std::fmt::Write as _;
-use stickler_types::Code;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Code, Dialect};
 
 /// The most tokens that are read of one text, which bounds the memory that its tree takes.
 const MAX_TOKENS: usize = 16 << 20;
@@ -112,7 +111,9 @@ impl<'s, 'd> Lexer<'s, 'd> {
                 }
                 ByteClass::Punctuation => self.punctuation(byte),
                 ByteClass::Digit => self.number(),
-                ByteClass::Quote => self.quoted(byte),
+                ByteClass::Quote => {
+                    self.quoted(self.at, [TokenKind::SingleByteText, TokenKind::DoubleByteText])
+                }
                 ByteClass::Unknown | ByteClass::Space => self.unknown(),
             }
         }

@@ -2,7 +2,6 @@
 
 use super::class::{ByteClass, class, is_word};
 use super::number::NumberForm;
-use super::quoted::QuotedText;
 use super::scan::Lexer;
 use crate::token::TokenKind;
 use stickler_types::literal::{date, date_and_time, duration, time_of_day, with_seconds};
@@ -26,7 +25,10 @@ impl Lexer<'_, '_> {
         match (class(self.peek(0)), elementary.map(ElementaryType::family)) {
             (ByteClass::Letter, Some(Boolean)) if self.boolean() => self.push(TokenKind::TypedBoolean, start),
             (ByteClass::Letter, _) => self.enumerated(start, elementary),
-            (ByteClass::Quote, Some(Text | Character)) => self.typed_text(start),
+            (ByteClass::Quote, Some(Text | Character)) => self.quoted(
+                start,
+                [TokenKind::TypedSingleByteText, TokenKind::TypedDoubleByteText],
+            ),
             (_, Some(Duration)) => self.temporal(start, TokenKind::Duration, duration),
             (_, Some(Date)) => self.temporal(start, TokenKind::Date, date),
             (_, Some(TimeOfDay)) => self.temporal(start, TokenKind::TimeOfDay, time_of_day),
@@ -62,16 +64,6 @@ impl Lexer<'_, '_> {
             }
             _ => self.push(TokenKind::Enumerated, start),
         }
-    }
-
-    fn typed_text(&mut self, start: usize) {
-        let quote = self.peek(0);
-        let kind = match self.skip_quoted(quote) {
-            QuotedText::Closed if quote == b'"' => TokenKind::TypedDoubleByteText,
-            QuotedText::Closed => TokenKind::TypedSingleByteText,
-            QuotedText::Malformed | QuotedText::Open => TokenKind::Malformed,
-        };
-        self.push(kind, start);
     }
 
     fn typed_number(&mut self, start: usize) {

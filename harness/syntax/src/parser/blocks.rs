@@ -1,7 +1,6 @@
 //! The statements that have statements in them: IF, CASE, FOR, WHILE, REPEAT.
 
-use super::open::OpenBlock;
-use super::state::{ParseResult, Parser};
+use super::state::{OpenBlock, ParseResult, Parser};
 use crate::diagnostic::quoted;
 use crate::token::TokenKind;
 use crate::tree::{

@@ -1,7 +1,6 @@
 //! The top level of a text, and the program organization units.
 
-use super::open::OpenBlock;
-use super::state::Parser;
+use super::state::{OpenBlock, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{

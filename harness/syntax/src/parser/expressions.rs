@@ -1,7 +1,6 @@
 //! Expressions: operators by precedence, prefix operators, parentheses, literals.
 
-use super::open::Pending;
-use super::state::{MAX_HEIGHT, ParseResult, Parser};
+use super::state::{MAX_HEIGHT, ParseResult, Parser, Pending};
 use crate::token::TokenKind;
 use crate::tree::{
     BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Prefixed, UnaryOperator,
@@ -112,7 +111,7 @@ impl<'s> Parser<'s, '_> {
     #[inline]
     fn operand(&mut self) -> ParseResult<ExpressionId> {
         match self.kind() {
-            TokenKind::Name => self.path(),
+            TokenKind::Name | TokenKind::Direct => self.path(),
             TokenKind::Minus => self.prefixed(UnaryOperator::Negate),
             TokenKind::Plus => self.prefixed(UnaryOperator::Plus),
             TokenKind::Not if self.names_an_input(1) => self.path(),
@@ -129,7 +128,6 @@ impl<'s> Parser<'s, '_> {
             TokenKind::LeftParen => self.parenthesized(),
             TokenKind::Dot if self.nth(1) == TokenKind::Name => self.path(),
             TokenKind::Enumerated => Ok(self.enumerated_value()),
-            TokenKind::Direct => self.path(),
             kind if kind.is_literal() => Ok(self.literal()),
             TokenKind::LeftBracket => Err(self
                 .expected("an expression (`[…]` gives the elements of an array their initial values only)")),

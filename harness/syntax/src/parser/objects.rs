@@ -3,8 +3,7 @@
 //!
 //! Basis: iec-61131-3: third edition, 6.6.5 to 6.6.8; codesys-pages: _cds_obj_property.
 
-use super::open::OpenBlock;
-use super::state::Parser;
+use super::state::{OpenBlock, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{Access, Modifiers, Name, Pou, PouKind, TypeSpecification, TypeSpecificationKind};

@@ -1,14 +1,14 @@
-//! The state that every production uses: the tokens, the arena, the limits, and the one way to report an error.
+//! The state that every production uses: the tokens, the arena, the open constructs, the limits, and the one way to report an error.
 
-use super::open::{OpenBlock, Pending};
 use crate::diagnostic::{SpannedDiagnostic, quoted};
 use crate::lexer::Lexer;
 use crate::source::{MAX_LENGTH, Span};
 use crate::token::{Token, TokenKind};
-use crate::tree::{CaseFolded, Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, VariableBlock};
+use crate::tree::{
+    BinaryOperator, CaseFolded, Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, VariableBlock,
+};
 use rustc_hash::FxHashSet;
-use stickler_types::Code;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Code, Dialect};
 
 /// The greatest depth of parentheses, subscripts, calls, prefix operators, statements, types and initial values in
 /// one another; anything deeper is diagnosed with S0002.
@@ -235,4 +235,44 @@ impl<'s, 'd> Parser<'s, 'd> {
         self.reported = Some(self.position());
         Broken
     }
+}
+
+/// An open block, which waits for certain keywords.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum OpenBlock {
+    Pou,
+    /// A method, or a part of a property.
+    Member,
+    If,
+    Case,
+    /// The ELSE branch of an IF or a CASE.
+    Else(TokenKind),
+    For,
+    While,
+    Repeat,
+}
+
+impl OpenBlock {
+    /// Returns whether a keyword ends the block, or the part of it that is being read.
+    pub(super) fn awaits(self, kind: TokenKind) -> bool {
+        match self {
+            OpenBlock::Member => kind.closes_member(),
+            OpenBlock::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,
+            OpenBlock::If => matches!(kind, TokenKind::EndIf | TokenKind::Elsif | TokenKind::Else),
+            OpenBlock::Case => matches!(kind, TokenKind::EndCase | TokenKind::Else),
+            OpenBlock::Else(closer) => kind == closer,
+            OpenBlock::For => kind == TokenKind::EndFor,
+            OpenBlock::While => kind == TokenKind::EndWhile,
+            OpenBlock::Repeat => matches!(kind, TokenKind::Until | TokenKind::EndRepeat),
+        }
+    }
+}
+
+/// An infix operator that waits for its right operand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pending {
+    pub(super) operator: BinaryOperator,
+    pub(super) precedence: u8,
+    pub(super) left: ExpressionId,
+    pub(super) left_height: u32,
 }

@@ -1,7 +1,6 @@
 //! Lists of statements, and the statements that are no blocks.
 
-use super::open::OpenBlock;
-use super::state::{Broken, ParseResult, Parser};
+use super::state::{Broken, OpenBlock, ParseResult, Parser};
 use crate::source::Span;
 use crate::token::TokenKind;
 use crate::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};

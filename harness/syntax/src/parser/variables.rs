@@ -1,12 +1,11 @@
 //! Variable sections, and the groups of names in them; also the fields of a structure.
 
 use super::declarations::error_specification;
-use super::open::OpenBlock;
-use super::state::{ParseResult, Parser};
+use super::state::{OpenBlock, ParseResult, Parser};
 use crate::token::TokenKind;
 use crate::tree::{
-    Access, Edge, Initializer, Name, PointerForm, TypeSpecification, TypeSpecificationKind, VariableBlock,
-    VariableGroup, VariableKind,
+    Access, CaseFolded, Edge, Initializer, Name, PointerForm, TypeSpecification, TypeSpecificationKind,
+    VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;
 
@@ -48,7 +47,7 @@ impl<'s> Parser<'s, '_> {
             kind,
             access,
             constant,
-            retention,
+            retention: retention.map(CaseFolded),
             groups,
             span: start.to(self.previous_span()),
         })

@@ -116,7 +116,7 @@ impl<'u, 's> Writer<'u, 's> {
         self.put(if block.constant { " CONSTANT" } else { "" });
         if let Some(retention) = block.retention {
             self.put(" ");
-            self.capitals(retention);
+            self.capitals(retention.0);
         }
         self.end();
         self.groups(&block.groups);

@@ -1,6 +1,6 @@
 //! Program organization units, variables, types and initial values.
 
-use super::{Configuration, ExpressionId, Name, Statement};
+use super::{CaseFolded, Configuration, ExpressionId, Name, Statement};
 use crate::source::Span;
 use crate::token::TokenKind;
 use stickler_types::words;
@@ -184,7 +184,7 @@ pub struct VariableBlock<'s> {
     /// Whether CONSTANT stands behind the section's keyword.
     pub constant: bool,
     /// RETAIN or NON_RETAIN as written; it has no effect on a run, and is kept for the renderer.
-    pub retention: Option<&'s str>,
+    pub retention: Option<CaseFolded<'s>>,
     /// The declarations.
     pub groups: Vec<VariableGroup<'s>>,
     /// From VAR… to END_VAR.

@@ -53,25 +53,5 @@ compare! {
     Pou<'_> {
         kind, modifiers, name, using, extends, implements, result, blocks, body, members
     } without span, end;
-}
-
-impl PartialEq for VariableBlock<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        let VariableBlock {
-            kind,
-            access,
-            constant,
-            retention,
-            groups,
-            span: _,
-        } = self;
-        (*kind, *access, *constant, retention.map(CaseFolded))
-            == (
-                other.kind,
-                other.access,
-                other.constant,
-                other.retention.map(CaseFolded),
-            )
-            && *groups == other.groups
-    }
+    VariableBlock<'_> { kind, access, constant, retention, groups } without span;
 }

@@ -34,9 +34,10 @@ words! {
 }
 
 /// What the sources of some dialects say otherwise.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) enum Rule {
     /// As the tables have it: F_TRIG tells an edge in its first call, and counters stop at the limits of their type.
+    #[default]
     Standard,
     /// F_TRIG tells no edge in its first call.
     NoFirstEdge,

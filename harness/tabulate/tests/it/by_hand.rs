@@ -4,8 +4,7 @@ use std::collections::HashMap;
 use stickler_exact::{Signature, expected, signatures};
 use stickler_tabulate::folder;
 use stickler_tabulate::table::{ProbeClaim, Table};
-use stickler_types::DialectName;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The functions through which the input of a row goes, one after the other.
 const STEPS: [(&str, [&str; 2]); 6] = [

@@ -149,7 +149,7 @@ impl CaseWatch<'_> {
         let mut overview = Overview::default();
         let take = &mut |event| overview.take(&event);
         stickler_run::run_with(&self.plan, &suite, self.engines, self.stores, take, self.cancel)?;
-        terminal::rerun::write(out, &overview, self.failures)?;
+        terminal::write_rerun(out, &overview, self.failures)?;
         Ok(())
     }
 }

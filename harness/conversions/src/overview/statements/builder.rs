@@ -13,6 +13,7 @@ use stickler_exact::{Signature, signature_of};
 use stickler_types::{ConversionCall, DialectName, ElementaryType, MatrixWord, Question, Value, WordTable};
 
 /// Gathers statements.
+#[derive(Default)]
 pub struct StatementsBuilder {
     dialects: Vec<DialectName>,
     words: WordTable,
@@ -72,12 +73,7 @@ impl StatementsBuilder {
     pub fn new(dialects: Vec<DialectName>) -> StatementsBuilder {
         StatementsBuilder {
             dialects,
-            words: WordTable::default(),
-            pairs: AcceptedTable::default(),
-            parts: AcceptedTable::default(),
-            functions: Vec::new(),
-            function_numbers: HashMap::new(),
-            call_cases: Vec::new(),
+            ..StatementsBuilder::default()
         }
     }
 

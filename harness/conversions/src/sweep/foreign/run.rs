@@ -1,8 +1,8 @@
 //! Compares all inputs of a sweep through an engine, in one session for each worker, until done or cancelled.
 
+use super::counter;
 use super::findings::ForeignFindings;
 use super::plan::SweepPlan;
-use super::program;
 use super::queue::Queue;
 use super::worker::ForeignSweep;
 use crate::literals::{has_literal, literal};
@@ -135,7 +135,7 @@ fn probes(sweep: &Sweep, plan: &SweepPlan) -> Vec<ConversionProgram> {
         // The first has but one input; those in the middle have two.
         let some = ends.filter(|places| places.end - places.start > 1).step_by(100);
         return some
-            .map(|places| program::summed(signature, counting, &places))
+            .map(|places| counter::summed(signature, counting, &places))
             .collect();
     }
     let length = sweep.domain.len();

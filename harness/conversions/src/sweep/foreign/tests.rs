@@ -1,7 +1,7 @@
 //! Tests that counting and checksum are the same in Rust and in ST, which the reference executes.
 
+use super::counter;
 use super::plan::SweepPlan;
-use super::program;
 use crate::session::FunctionSession;
 use crate::sweep::agenda::{SweepMethod, agenda};
 use crate::sweep::domain::Sampling;
@@ -51,11 +51,11 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 let Some(counting) = &plan.counting else { continue };
                 let few = if plan.stretches.len() > 10 { 37 } else { 1 };
                 for places in plan.stretches.iter().step_by(few).flat_map(ends) {
-                    let summed = session.run(dialect, &program::summed(&sweep.signature, counting, &places));
+                    let summed = session.run(dialect, &counter::summed(&sweep.signature, counting, &places));
                     let exact = super::worker::total(&sweep, counting, places.clone());
                     assert_eq!(summed, Ok(vec![exact]), "{function} {places:?}");
                     let unrolled =
-                        session.run(dialect, &program::unrolled(&sweep.signature, counting, &places));
+                        session.run(dialect, &counter::unrolled(&sweep.signature, counting, &places));
                     let exact: Vec<Value> = places
                         .map(|place| {
                             stickler_exact::value(
@@ -104,7 +104,7 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
         let plan = SweepPlan::of(&sweep[0]);
         let counting = plan.counting.expect("it can be counted");
         let places = 1..9;
-        let mut program = program::summed(&sweep[0].signature, &counting, &places);
+        let mut program = counter::summed(&sweep[0].signature, &counting, &places);
         let call = format!("{function}(operand)");
         assert!(program.statements.contains(&call));
         program.statements = program.statements.replace(&call, wrong);

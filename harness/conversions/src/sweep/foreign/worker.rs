@@ -1,8 +1,8 @@
 //! Compares one range of inputs: by a program for all of them, and by further programs where its sum is not the exact one.
 
+use super::counter;
 use super::findings::ForeignFindings;
 use super::plan::{Counting, SweepPlan};
-use super::program;
 use super::queue::{FIRST_COUNT, Queue};
 use crate::literals::{has_literal, literal};
 use crate::program::{ConversionProgram, listed};
@@ -82,7 +82,7 @@ impl ForeignSweep<'_> {
             return self.unroll(session, counting, places);
         }
         let begun = Instant::now();
-        let program = program::summed(&self.sweep.signature, counting, &places);
+        let program = counter::summed(&self.sweep.signature, counting, &places);
         match self.ask(session, &program) {
             Ok(totals) if totals == [total(self.sweep, counting, places.clone())] => {
                 self.queue.answered(inputs, begun.elapsed());
@@ -138,7 +138,7 @@ impl ForeignSweep<'_> {
 
     /// Compares the results of a few places one by one, by a program that keeps each result.
     fn unroll(&self, session: &mut FunctionSession<'_>, counting: &Counting, places: Range<u64>) {
-        let program = program::unrolled(&self.sweep.signature, counting, &places);
+        let program = counter::unrolled(&self.sweep.signature, counting, &places);
         match self.ask(session, &program) {
             Ok(given) => {
                 let inputs = places.end - places.start;

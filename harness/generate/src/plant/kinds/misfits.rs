@@ -49,13 +49,10 @@ pub(super) fn misfit(
     let shape = fault.choose(shapes.to_vec())?;
     if shape == MisfitForm::Foreign {
         let kind = foreign(fault, |from| never(from, target, dialect))?;
-        fault.replace(number, kind);
-        return Some(());
+        return fault.replace(number, kind);
     }
-    let wrong = types(dialect)
-        .filter(|&from| never(from, target, dialect))
-        .collect();
-    let from = fault.choose(wrong)?;
+    let wrong = types(dialect).filter(|&from| never(from, target, dialect));
+    let from = fault.choose(wrong.collect())?;
     let kind = value(fault, site.unit, from, shape)?;
     fault.replace(number, kind);
     // A text literal is untyped, so that no single conversion function is the right one.
@@ -124,11 +121,8 @@ pub(super) fn subscript(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 
 /// Plants a first or last value of FOR that is no integer.
 pub(super) fn bound(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    no_integer(
-        fault,
-        |context| context == ExpressionContext::Bound,
-        converts_to_no_integer,
-    )
+    let in_place = |context| context == ExpressionContext::Bound;
+    no_integer(fault, in_place, converts_to_no_integer)
 }
 
 /// Plants a selector of CASE that is neither an integer nor an enumeration, whatever converts to an integer elsewhere.

@@ -5,7 +5,7 @@ use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Pou, Program, Type, TypeDeclaration, Unit, VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Pou, Type, TypeDeclaration, Unit, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -28,26 +28,19 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: ironplc-problem-codes: P4007.
 pub(super) fn field(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
+    let has_fields = |ty: &Type| original.fields(ty).is_some() || matches!(ty, Type::Block(_));
+    let names = |unit: Unit| {
+        let variables = unit.variables(original).iter();
+        let with_fields = variables.filter(|variable| has_fields(&variable.ty));
+        with_fields.map(|variable| &variable.name).collect::<Vec<_>>()
+    };
     let (number, site, _) = fault.pick_expression(|site, expression| {
         stands_for_any_value(site, expression)
             && original.enumerated_values(&expression.ty).is_none()
-            && site
-                .unit
-                .variables(original)
-                .iter()
-                .any(|variable| has_fields(original, &variable.ty))
+            && !names(site.unit).is_empty()
     })?;
-    let variables = site.unit.variables(original).iter();
-    let names = variables
-        .filter(|variable| has_fields(original, &variable.ty))
-        .map(|variable| &variable.name)
-        .collect();
-    let name = fault.choose(names)?;
+    let name = fault.choose(names(site.unit))?;
     fault.replace(number, ExpressionKind::Raw(format!("{name}.{PLANTED}")))
-}
-
-fn has_fields(program: &Program, ty: &Type) -> bool {
-    program.fields(ty).is_some() || matches!(ty, Type::Block(_))
 }
 
 /// Plants a value that the enumeration does not have, with the enumeration's name in front of it.
@@ -55,18 +48,15 @@ fn has_fields(program: &Program, ty: &Type) -> bool {
 /// Basis: ironplc-problem-codes: P2006.
 pub(super) fn enumerated_value(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let (number, _, expression) =
-        fault.pick_expression(|_, expression| is_enumerated(original, expression))?;
+    let (number, _, expression) = fault.pick_expression(|_, expression| {
+        matches!(expression.kind, ExpressionKind::Enumerated(_))
+            && original.enumerated_values(&expression.ty).is_some()
+    })?;
     let Type::Declared(declared) = expression.ty else {
         return None;
     };
     let name = &original.types.get(declared)?.name;
     fault.replace(number, ExpressionKind::Raw(format!("{name}#{PLANTED}")))
-}
-
-fn is_enumerated(program: &Program, expression: &Expression) -> bool {
-    matches!(expression.kind, ExpressionKind::Enumerated(_))
-        && program.enumerated_values(&expression.ty).is_some()
 }
 
 /// Plants a value of another enumeration.
