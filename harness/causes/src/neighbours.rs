@@ -1,41 +1,31 @@
 //! Asks about the neighbours of a shown program: the same with another type, another number, another name, or in another dialect. They say how
 //! far a cause goes.
 
+mod programs;
+
 use crate::compiler_place::compiler_place;
 use crate::find::Asking;
-use crate::forms::{end_of_variables, named_types, with_types};
 use crate::growing_cause::GrowingCause;
 use crate::key::CauseKey;
 use crate::line_features::lacked_function;
 use crate::malformed::number_of_literal;
-use crate::program::{Program, ReadProgram, read};
+use crate::program::{Program, read};
 use crate::question::Questioner;
 use crate::reduction::is_reducible;
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::words::{elementary, has_word, tokens};
+use crate::words::{elementary, has_word};
+use programs::{behind_statement, in_block, numbers, with_other_names, with_other_types, without_blanks};
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_reference::errors;
 use stickler_run::{Neighbour, RunError, Symptom};
 use stickler_suite::Case;
 use stickler_syntax::Edits;
-use stickler_syntax::source::Span;
-use stickler_syntax::token::Token;
-use stickler_syntax::tree::{Declaration, PouKind};
-use stickler_types::ElementaryType;
+use stickler_types::DialectName;
 use stickler_workers::WorkerPool;
-
-/// The maximum number of types of the same family that are tried in the place of one.
-const MAX_ALIKE: usize = 3;
 
 /// The maximum number of functions that are told to be missing, too.
 const MAX_FUNCTIONS: usize = 30;
-
-/// The types of which those of other families are tried.
-const OTHERS: [ElementaryType; 6] = {
-    use ElementaryType::{Bool, Int, Real, String, Time, Word};
-    [Bool, Int, Word, Real, Time, String]
-};
 
 /// The words for the type that no program declares.
 const UNDECLARED: &str = "a type that is not declared";
@@ -48,15 +38,6 @@ const BEHIND: &str = "the same behind another statement";
 
 /// The keyword of a program in whose place a function block is right.
 const IN_PROGRAM: &str = "`PROGRAM`";
-
-/// A program beside a function block.
-const CALLER: &str = "\nPROGRAM caller\nVAR\n    n : INT;\nEND_VAR\n    n := 0;\nEND_PROGRAM\n";
-
-/// The maximum number of names in whose place others are tried.
-const MAX_NAMES: usize = 6;
-
-/// The numbers of bits at whose limits a compiler may do otherwise.
-const BITS: [u32; 8] = [7, 8, 15, 16, 31, 32, 63, 64];
 
 impl Asking<'_> {
     /// Asks about the neighbours of each program that was made small. `stop` is asked before each.
@@ -121,114 +102,20 @@ impl Asking<'_> {
         let (cause, shown, symptom) = (&member.cause, &member.cause.shown, &member.sign.symptom);
         let is_asked = !cause.is_partly_reduced() && cause.flaky.is_none();
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
-        let Some(known) = known.filter(|_| is_asked && is_reducible(symptom) && *symptom != Symptom::Text)
-        else {
-            return Ok(Default::default());
-        };
-        // What a valid program that is rejected would do does not matter, such as where it would stop with a fault.
-        let accepted = |program: &str| {
-            let is_valid = member.sign.rejects_valid() && errors(program, known.dialect).is_empty();
-            is_valid.then(|| Case {
-                source: program.into(),
-                observe: Default::default(),
-                scans: 0,
-                expectation: Default::default(),
-                ..(*known).clone()
-            })
-        };
-        let as_shown = |program: &str| {
-            let case = as_the_reference(known, program, &all_variables(known, program));
-            case.or_else(|| accepted(program))
-        };
-        let Some(own) = as_shown(&shown.program) else {
+        let known = known.filter(|_| is_asked && is_reducible(symptom) && *symptom != Symptom::Text);
+        let Some(around) = known.and_then(|known| ShownProgram::new(member, known)) else {
             return Ok(Default::default());
         };
         asked.only_checks = member.sign.accepts();
-        // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
-        let is_value = matches!(symptom, Symptom::Value | Symptom::Missing);
-        let tells = !is_value && !member.sign.accepts();
-        // A neighbour has the same mistakes.
-        let crashes = matches!(symptom, Symptom::Crash(_));
-        let has_mistakes = |case: &Case| {
-            let (told, wanted) = (&case.expectation, &own.expectation);
-            let codes = wanted.diagnostics.iter().map(|one| one.code);
-            let is_same = told.accepted == wanted.accepted;
-            // No mistake may make a compiler crash.
-            crashes || is_same && told.diagnostics.iter().map(|one| one.code).eq(codes)
-        };
-        let with_case = |program: &str| {
-            as_shown(program).filter(|case| {
-                has_mistakes(case)
-                    && (member.sign.accepts() || is_as_standard(&own, program))
-                    && !asked.uses_what_is_lacking(known, program)
-            })
-        };
-        let dialects = self.engine.identity().dialects.iter().copied();
-        let dialects = dialects.filter(|dialect| *dialect != known.dialect && !dialect.is_variant());
-        let dialects = dialects.filter_map(|dialect| {
-            let there = Case {
-                dialect,
-                ..(*known).clone()
-            };
-            let observed = all_variables(&there, &shown.program);
-            let case = as_the_reference(&there, &shown.program, &observed).filter(has_mistakes)?;
-            Some((neighbour(known.dialect.as_str(), dialect.as_str()), case))
-        });
-        let dialects: Vec<(Neighbour, Case)> = dialects.collect();
-        let types = read(&shown.program, |program| {
-            with_other_types(program, (is_value, crashes))
-        })
-        .into_iter();
-        let types = types.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
-        let types: Vec<(Neighbour, Case)> = types.collect();
-        let program = Program::new(&shown.program);
-        // A loop that is left by a count does what it must with other numbers, also where it never ends.
-        let counts = !has_word(&shown.program, "EXIT");
-        let numbers = numbers(&program.read()).into_iter().filter(|_| counts);
-        let numbers = numbers.map(|(span, text, plainer)| {
-            let plainer = plainer.into_iter().filter(|by| by != text).filter_map(|by| {
-                let program = Edits::replacing(span, by.as_str()).apply(&shown.program);
-                Some((format!("`{by}`"), with_case(&program)?))
-            });
-            (format!("`{text}`"), plainer.collect())
-        });
-        let numbers: Vec<(String, Vec<(String, Case)>)> = numbers.collect();
-        // What a compiler of C finds wrong may be a name of its own.
-        let is_written = matches!(symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
-        let names = read(&shown.program, |program| match is_written {
-            true => {
-                let behind = behind_statement(program).into_iter().collect();
-                [with_other_names(program), without_blanks(program), behind].concat()
-            }
-            false if member.sign.accepts() => in_block(program).into_iter().collect(),
-            false => Vec::new(),
-        });
-        let names = names.into_iter();
-        let names = names.filter_map(|(neighbour, program)| Some((neighbour, with_case(&program)?)));
-        let names: Vec<(Neighbour, Case)> = names.collect();
+        let dialects = around.in_dialects(&self.engine.identity().dialects);
+        let types = around.with_types(asked);
+        let names = around.with_forms(asked);
+        let numbers = around.with_numbers(asked);
         asked.ask_ahead(types.iter().map(|(_, case)| case), stop)?;
-        let place = compiler_place(&shown.got);
         let mut keys = Vec::new();
-        // What goes wrong otherwise says nothing.
-        let mut is_same = |case: &Case| {
-            if stop() {
-                return Ok::<_, EngineError>(None);
-            }
-            let seen = asked.deviation(case)?;
-            // What is not accepted is found, whatever is said of it.
-            let seen = seen.filter(|seen| seen.sign.accepts() || !member.sign.accepts());
-            let is_same = seen.as_ref().is_none_or(|seen| {
-                is_alike(symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place
-            });
-            let is_wrong = seen.is_some();
-            keys.extend(
-                seen.filter(|_| is_same && !is_value)
-                    .map(|seen| CauseKey::of_deviation(&case.source, seen)),
-            );
-            Ok(is_same.then_some(is_wrong))
-        };
+        let mut is_same = |case: &Case| around.is_same(asked, case, (stop, &mut keys));
         // What is measured may be what the page shows no more.
-        if is_same(&own)? != Some(true) {
+        if is_same(&around.own)? != Some(true) {
             return Ok(Default::default());
         }
         let mut found = Vec::new();
@@ -238,7 +125,8 @@ impl Asking<'_> {
             }
         }
         for (neighbour, case) in types {
-            let tells = tells && neighbour.by != UNDECLARED;
+            // A value that is right in another type may only be less far from its limits, and what is refused may not be supported.
+            let tells = !around.is_value() && !member.sign.accepts() && neighbour.by != UNDECLARED;
             if let Some(is_same) = is_same(&case)?.filter(|is_same| *is_same || tells) {
                 found.push(Neighbour { is_same, ..neighbour });
             }
@@ -252,16 +140,13 @@ impl Asking<'_> {
             let nearer = plainer.partition_point(|(by, _)| amount(by) <= amount(&replaced));
             let told = limits(nearer, |at| is_same(&plainer[at].1))?;
             // A limit is one only where what is beyond it is wrong, too.
-            if let Some((by, case)) = plainer.get(nearer).filter(|_| !told.is_empty())
-                && is_same(case)? == Some(false)
-            {
-                found.push(Neighbour {
-                    is_same: false,
-                    replaced: replaced.clone(),
-                    by: by.clone(),
-                });
-            }
-            found.extend(told.into_iter().map(|(at, is_same)| Neighbour {
+            let beyond = plainer.get(nearer).filter(|_| !told.is_empty());
+            let is_right = match beyond {
+                Some((_, case)) => is_same(case)? == Some(false),
+                None => false,
+            };
+            let beyond = is_right.then_some((nearer, false));
+            found.extend(beyond.into_iter().chain(told).map(|(at, is_same)| Neighbour {
                 replaced: replaced.clone(),
                 by: plainer[at].0.clone(),
                 is_same,
@@ -269,6 +154,155 @@ impl Asking<'_> {
         }
         Ok((found, keys))
     }
+}
+
+/// The program of a page, whose neighbours are asked about.
+struct ShownProgram<'a> {
+    member: &'a GrowingCause,
+    known: &'a Case,
+    /// The case of the program itself.
+    own: Case,
+}
+
+impl<'a> ShownProgram<'a> {
+    fn new(member: &'a GrowingCause, known: &'a Case) -> Option<ShownProgram<'a>> {
+        let own = as_shown(member, known, &member.cause.shown.program)?;
+        Some(ShownProgram { member, known, own })
+    }
+
+    fn text(&self) -> &'a str {
+        &self.member.cause.shown.program
+    }
+
+    fn is_value(&self) -> bool {
+        matches!(self.member.sign.symptom, Symptom::Value | Symptom::Missing)
+    }
+
+    fn crashes(&self) -> bool {
+        matches!(self.member.sign.symptom, Symptom::Crash(_))
+    }
+
+    /// Returns whether a neighbour has the same mistakes. No mistake may make a compiler crash.
+    fn has_mistakes(&self, case: &Case) -> bool {
+        let (told, wanted) = (&case.expectation, &self.own.expectation);
+        let codes = wanted.diagnostics.iter().map(|one| one.code);
+        let is_same = told.accepted == wanted.accepted;
+        self.crashes() || is_same && told.diagnostics.iter().map(|one| one.code).eq(codes)
+    }
+
+    /// Returns the case of a neighbour; `None` where it says nothing of the program.
+    fn with_case(&self, asked: &Questioner<'_>, program: &str) -> Option<Case> {
+        as_shown(self.member, self.known, program).filter(|case| {
+            self.has_mistakes(case)
+                && (self.member.sign.accepts() || is_as_standard(&self.own, program))
+                && !asked.uses_what_is_lacking(self.known, program)
+        })
+    }
+
+    fn with_cases(&self, asked: &Questioner<'_>, found: Vec<(Neighbour, String)>) -> Vec<(Neighbour, Case)> {
+        let found = found.into_iter();
+        let found =
+            found.filter_map(|(neighbour, program)| Some((neighbour, self.with_case(asked, &program)?)));
+        found.collect()
+    }
+
+    /// Returns the program in the other dialects of an engine that are no variants.
+    fn in_dialects(&self, dialects: &[DialectName]) -> Vec<(Neighbour, Case)> {
+        let known = self.known;
+        let others = dialects.iter().copied();
+        let others = others.filter(|dialect| *dialect != known.dialect && !dialect.is_variant());
+        let others = others.filter_map(|dialect| {
+            let there = Case {
+                dialect,
+                ..known.clone()
+            };
+            let observed = all_variables(&there, self.text());
+            let case = as_the_reference(&there, self.text(), &observed);
+            let case = case.filter(|case| self.has_mistakes(case))?;
+            Some((neighbour(known.dialect.as_str(), dialect.as_str()), case))
+        });
+        others.collect()
+    }
+
+    fn with_types(&self, asked: &Questioner<'_>) -> Vec<(Neighbour, Case)> {
+        let how = (self.is_value(), self.crashes());
+        self.with_cases(asked, read(self.text(), |program| with_other_types(program, how)))
+    }
+
+    /// Returns the program with other names, without blanks, behind a statement, or in a block, as the symptom may need.
+    fn with_forms(&self, asked: &Questioner<'_>) -> Vec<(Neighbour, Case)> {
+        let sign = &self.member.sign;
+        // What a compiler of C finds wrong may be a name of its own.
+        let is_written = matches!(sign.symptom, Symptom::Unusable(_) | Symptom::Rejected(_));
+        let forms = read(self.text(), |program| match is_written {
+            true => {
+                let behind = behind_statement(program).into_iter().collect();
+                [with_other_names(program), without_blanks(program), behind].concat()
+            }
+            false if sign.accepts() => in_block(program).into_iter().collect(),
+            false => Vec::new(),
+        });
+        self.with_cases(asked, forms)
+    }
+
+    /// Returns each number of the program, with the cases of plainer ones in its place.
+    fn with_numbers(&self, asked: &Questioner<'_>) -> Vec<(String, Vec<(String, Case)>)> {
+        // A loop that is left by a count does what it must with other numbers, also where it never ends.
+        if has_word(self.text(), "EXIT") {
+            return Vec::new();
+        }
+        let program = Program::new(self.text());
+        let numbers = numbers(&program.read()).into_iter();
+        let numbers = numbers.map(|(span, text, plainer)| {
+            let plainer = plainer.into_iter().filter(|by| by != text).filter_map(|by| {
+                let program = Edits::replacing(span, by.as_str()).apply(self.text());
+                Some((format!("`{by}`"), self.with_case(asked, &program)?))
+            });
+            (format!("`{text}`"), plainer.collect())
+        });
+        numbers.collect()
+    }
+
+    /// Returns whether the engine deviates with a neighbour in the same way, and adds the key of the neighbour; `None` where it does something
+    /// else, which says nothing.
+    fn is_same(
+        &self,
+        asked: &mut Questioner<'_>,
+        case: &Case,
+        (stop, keys): (&dyn Fn() -> bool, &mut Vec<CauseKey>),
+    ) -> Result<Option<bool>, EngineError> {
+        if stop() {
+            return Ok(None);
+        }
+        let sign = &self.member.sign;
+        let place = || compiler_place(&self.member.cause.shown.got);
+        let seen = asked.deviation(case)?;
+        // What is not accepted is found, whatever is said of it.
+        let seen = seen.filter(|seen| seen.sign.accepts() || !sign.accepts());
+        let is_same = seen.as_ref().is_none_or(|seen| {
+            is_alike(&sign.symptom, &seen.sign.symptom) && compiler_place(&seen.got) == place()
+        });
+        let is_wrong = seen.is_some();
+        let told = seen.filter(|_| is_same && !self.is_value());
+        keys.extend(told.map(|seen| CauseKey::of_deviation(&case.source, seen)));
+        Ok(is_same.then_some(is_wrong))
+    }
+}
+
+/// Returns the case with another program, by what the reference does with it. What a valid program that is rejected would do does not matter,
+/// such as where it would stop with a fault.
+fn as_shown(member: &GrowingCause, known: &Case, program: &str) -> Option<Case> {
+    let accepted = || {
+        let is_valid = member.sign.rejects_valid() && errors(program, known.dialect).is_empty();
+        is_valid.then(|| Case {
+            source: program.into(),
+            observe: Default::default(),
+            scans: 0,
+            expectation: Default::default(),
+            ..known.clone()
+        })
+    };
+    as_the_reference(known, program, &all_variables(known, program)).or_else(accepted)
 }
 
 /// Returns a neighbour with one word in the place of another, with which the same comes.
@@ -327,148 +361,4 @@ fn is_alike(one: &Symptom, other: &Symptom) -> bool {
         (Symptom::Crash(_), Symptom::Crash(_)) | (Symptom::Unusable(_), Symptom::Unusable(_)) => true,
         _ => one == other,
     }
-}
-
-/// Returns a program with other types in the place of each of its types, of which the program names none; with `only_alike` those of the same
-/// family alone, since a value of another is computed otherwise; and `with_undeclared` with a type that nothing declares.
-fn with_other_types(
-    program: &ReadProgram<'_, '_>,
-    (only_alike, with_undeclared): (bool, bool),
-) -> Vec<(Neighbour, String)> {
-    let there = named_types(program.text);
-    let mut found = Vec::new();
-    for ty in there.iter().filter_map(|name| elementary(name)) {
-        let alike = ElementaryType::ALL
-            .into_iter()
-            .filter(|other| other.family() == ty.family());
-        let alike = alike.filter(|other| *other != ty).take(MAX_ALIKE);
-        let others = OTHERS
-            .into_iter()
-            .filter(|other| !only_alike && other.family() != ty.family());
-        let others = alike.chain(others).filter(|other| !there.contains(other.name()));
-        found.extend(others.map(|other| {
-            let program = with_types(program.text, &[(ty.name(), other.name())]);
-            (neighbour(ty.name(), other.name()), program)
-        }));
-        found.extend(with_undeclared.then(|| {
-            let by = UNDECLARED.to_owned();
-            let program = with_types(program.text, &[(ty.name(), "UNDECLARED")]);
-            (
-                Neighbour {
-                    by,
-                    ..neighbour(ty.name(), "")
-                },
-                program,
-            )
-        }));
-    }
-    found
-}
-
-/// Returns a program with another name in the place of each name that it declares, as neighbours with which the same does not come.
-fn with_other_names(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
-    let names: BTreeSet<&str> = program.names.iter().map(|one| one.name.text).collect();
-    let renamed = names.into_iter().take(MAX_NAMES).map(|name| {
-        let mut edits = Edits::new();
-        let is_it = |token: &&Token| token.span.text(program.text).eq_ignore_ascii_case(name);
-        let written = tokens(program.text);
-        written
-            .iter()
-            .filter(is_it)
-            .for_each(|token| edits.replace(token.span, "renamed"));
-        let neighbour = Neighbour {
-            is_same: false,
-            by: OTHER_NAME.to_owned(),
-            ..neighbour(name, "")
-        };
-        (neighbour, edits.apply(program.text))
-    });
-    renamed.collect()
-}
-
-/// Returns a program without the blanks before each sign before which one seldom stands, as neighbours with which the same does not come.
-fn without_blanks(program: &ReadProgram<'_, '_>) -> Vec<(Neighbour, String)> {
-    let signs = [";", "^", ",", ")", "]", "."].into_iter();
-    let spaced = signs.map(|sign| (format!(" {sign}"), sign));
-    let spaced = spaced.filter(|(spaced, _)| program.text.contains(spaced.as_str()));
-    let joined = spaced.map(|(spaced, sign)| {
-        let neighbour = Neighbour {
-            is_same: false,
-            ..neighbour(&spaced, sign)
-        };
-        (neighbour, program.text.replace(&spaced, sign))
-    });
-    joined.collect()
-}
-
-/// Returns a program with another statement before its first one, as a neighbour with which the same does not come.
-fn behind_statement(program: &ReadProgram<'_, '_>) -> Option<(Neighbour, String)> {
-    let pou = program.unit.pous().find(|pou| !pou.body.is_empty())?;
-    let first = pou.body[0].span.start as usize;
-    let end = end_of_variables(program.text, pou)?;
-    let mut edits = Edits::new();
-    edits.replace(end..end, "    n : INT;\n");
-    edits.replace(first..first, "n := 0;\n    ");
-    let written = pou.body[0].span.text(program.text);
-    let neighbour = Neighbour {
-        is_same: false,
-        by: BEHIND.to_owned(),
-        ..neighbour(written, "")
-    };
-    (!written.contains('\n')).then(|| (neighbour, edits.apply(program.text)))
-}
-
-/// Returns a program that has nothing but one PROGRAM with a FUNCTION_BLOCK in its place, as a neighbour with which the same does not come;
-/// `None` for another one.
-fn in_block(program: &ReadProgram<'_, '_>) -> Option<(Neighbour, String)> {
-    let [Declaration::Pou(pou)] = &program.unit.declarations[..] else {
-        return None;
-    };
-    let neighbour = Neighbour {
-        is_same: false,
-        ..neighbour("PROGRAM", "FUNCTION_BLOCK")
-    };
-    let block = with_types(program.text, &[("PROGRAM", "FUNCTION_BLOCK")]);
-    (pou.kind == PouKind::Program).then(|| (neighbour, block + CALLER))
-}
-
-/// Returns the numbers of a program, each with plainer ones that may stand in its place, the plainest first: other digits of a location, an
-/// integer in capitals, or smaller ones with the same type and base, up to the limits of some sizes.
-fn numbers<'s>(program: &ReadProgram<'_, 's>) -> Vec<(Span, &'s str, Vec<String>)> {
-    let literals = program.literals().map(|(part, text)| {
-        let plainer = match text.to_ascii_uppercase() {
-            capitals if capitals != text && number_of_literal(text).is_some() => vec![capitals],
-            _ => smaller(text),
-        };
-        (part.expression.span, text, plainer)
-    });
-    let groups = program.names.iter().filter_map(|one| one.group?.location);
-    let locations = groups.map(|place| {
-        let letters = place.text.trim_end_matches(|sign: char| sign.is_ascii_digit());
-        (place.span, place.text, vec![format!("{letters}1")])
-    });
-    literals.chain(locations).collect()
-}
-
-/// Returns 1 and the numbers at the limits of some sizes, of those that are nearer to zero than an integer literal, and one that is twice as far
-/// away, as it is written.
-fn smaller(text: &str) -> Vec<String> {
-    let Some(number) = number_of_literal(text) else {
-        return Vec::new();
-    };
-    let limits = BITS.iter().flat_map(|bits| [(1 << bits) - 1, 1 << bits]);
-    let nearer = [1]
-        .into_iter()
-        .chain(limits)
-        .filter(|limit: &i128| *limit < number.abs())
-        .chain(number.abs().checked_mul(2).map(|twice| twice + 1));
-    let prefix = text.rfind('#').map_or("", |at| &text[..=at]);
-    let sign = if number < 0 { "-" } else { "" };
-    let written = nearer.map(|limit| match prefix {
-        _ if prefix.ends_with("16#") => format!("{prefix}{limit:X}"),
-        _ if prefix.ends_with("8#") => format!("{prefix}{limit:o}"),
-        _ if prefix.ends_with("2#") => format!("{prefix}{limit:b}"),
-        _ => format!("{prefix}{sign}{limit}"),
-    });
-    written.collect()
 }

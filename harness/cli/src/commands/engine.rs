@@ -40,7 +40,12 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
         }
         _ => (None, command_line(words)),
     };
-    let validation = stickler_engines::validate(folder, &line, ProcessLimits::default())?;
+    let validation = stickler_engines::validate(folder, &line, ProcessLimits::default());
+    let validation = match words {
+        [word] if !engines::names(&configuration).contains(&word.as_str()) => validation
+            .with_context(|| format!("no engine is named `{word}`, so that it was taken for a command"))?,
+        _ => validation?,
+    };
     write_page(&validation, out)?;
     Ok(exit(&validation))
 }

@@ -106,6 +106,7 @@ fn run(
         return Ok(case_folder::nothing_selected(plan, &whole));
     }
     understood(plan, &selected, engines)?;
+    note_filters_without_cases(plan, &suite);
     begun(&selected, engines, &suite)?;
     let report_folder =
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
@@ -173,6 +174,21 @@ fn spoken(engines: &[&dyn Engine]) -> Vec<DialectName> {
         engines.any(|engine| engine.identity().asked_in(*dialect).is_some())
     };
     every.filter(is_spoken).collect()
+}
+
+/// Notes each of several filters that fits no case: it is most probably mistyped.
+fn note_filters_without_cases(plan: &Plan, suite: &Suite) {
+    for filter in plan.filters.iter().filter(|_| plan.filters.len() > 1) {
+        let alone = Plan {
+            filters: vec![filter.clone()],
+            shard: None,
+            ..plan.clone()
+        };
+        if select(&alone, &suite.cases).is_empty() {
+            let text = shell::quote(filter.as_str());
+            eprintln!("note: --filter {text} fits no case of these dialects");
+        }
+    }
 }
 
 /// # Errors
