@@ -271,6 +271,8 @@ impl GrowingCause {
     /// show, by powers of two, then the smaller program.
     pub(crate) fn preference(&self) -> impl Ord + '_ {
         let program = &self.cause.shown.program;
+        // A bit is a part of a variable, and so it is of what is done with one.
+        let weight = |operation: &String| if operation == "bit access" { 2 } else { 1 };
         (
             self.differs,
             match self.cause.reduction {
@@ -286,7 +288,7 @@ impl GrowingCause {
             matches!(&self.sign.symptom, Symptom::Incomplete(code) if !is_of_a_value(code)),
             self.cause.shown.is_derived,
             self.rank,
-            operations(program).len(),
+            operations(program).iter().map(weight).sum::<usize>(),
             Reverse(self.agreeing),
             Reverse(self.own.max(1).ilog2()),
             program.len(),
