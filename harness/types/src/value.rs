@@ -198,8 +198,8 @@ fn is_within_a_day(nanoseconds: i64) -> bool {
     (0..DAY).contains(&nanoseconds)
 }
 
-/// Returns the raw form of a literal, or of a value that no literal of its type stands for, in the spelling of another type. Such a spelling
-/// of a value that has a literal is an error.
+/// Returns the raw form of a literal, or of a value that no literal of its type stands for, in the spelling of another type. Such
+/// a spelling of a value that has a literal is an error.
 fn otherwise(
     read: Result<i64, LiteralError>,
     of_other: impl FnOnce() -> Result<i64, LiteralError>,

@@ -8,6 +8,7 @@ use stickler_types::{
     Value,
 };
 
+/// Returns the signatures of all functions of a dialect.
 fn all_signatures(dialect: DialectName) -> impl Iterator<Item = Signature> {
     let names = functions(dialect).into_iter();
     names.flat_map(move |name| signatures(&name, dialect))
