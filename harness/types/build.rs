@@ -125,19 +125,20 @@ fn write(file: &str, text: &str) -> io::Result<()> {
 /// Returns the line of a diagnostic code: its number and its name, which its page has in the heading.
 fn code(path: &Path, page: &str) -> io::Result<String> {
     let heading = page.lines().next().and_then(|line| line.strip_prefix("# "));
-    let heading = heading.filter(|heading| {
-        path.file_stem()
-            .is_some_and(|code| heading.split(' ').next() == code.to_str())
-    });
-    let wrong = || {
-        io::Error::other(format!(
+    match heading.filter(|heading| heading.split(' ').next() == Some(stem(path))) {
+        Some(heading) => Ok(format!("    {heading},\n")),
+        None => Err(io::Error::other(format!(
             "{}: the first line must be `# CODE NAME`",
             path.display()
-        ))
-    };
-    heading
-        .map(|heading| format!("    {heading},\n"))
-        .ok_or_else(wrong)
+        ))),
+    }
+}
+
+/// Returns the name of a file without its extension.
+fn stem(path: &Path) -> &str {
+    path.file_stem()
+        .and_then(|name| name.to_str())
+        .unwrap_or_default()
 }
 
 /// Returns the number behind `order =`; files without one come last.
@@ -153,10 +154,7 @@ fn order(text: &str) -> u32 {
 fn source(files: &[(u32, PathBuf)]) -> Result<String, std::fmt::Error> {
     let (mut table, mut constants) = (String::new(), String::new());
     for (index, (_, path)) in files.iter().enumerate() {
-        let name = path
-            .file_stem()
-            .and_then(|name| name.to_str())
-            .unwrap_or_default();
+        let name = stem(path);
         writeln!(
             table,
             "    ({name:?}, include_str!({:?})),",

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use std::time::SystemTime;
 use stickler_engines::Digest;
@@ -20,6 +20,7 @@ pub(crate) const MAX_FILE_SIZE: usize = 64 << 20;
 const MAX_FILES: usize = 8;
 
 /// The answers that a file holds, and the file to which more are added.
+#[derive(Default)]
 pub(crate) struct Kept {
     pub(crate) answers: HashMap<String, String>,
     pub(crate) file: Option<File>,
@@ -27,10 +28,9 @@ pub(crate) struct Kept {
 
 /// Returns the name of the file of this compiler.
 pub(crate) fn name(engine: &str, fingerprint: &str) -> String {
-    let harmless = |character: char| match character {
-        '-' | '_' | '.' => character,
-        _ if character.is_ascii_alphanumeric() => character,
-        _ => '_',
+    let harmless = |character: char| match character.is_ascii_alphanumeric() || "-.".contains(character) {
+        true => character,
+        false => '_',
     };
     let engine: String = engine.chars().map(harmless).take(40).collect();
     format!("{engine}-{fingerprint}.{EXTENSION}")
@@ -45,10 +45,7 @@ pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut V
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => {
             notes.push(format!("{shown} cannot be read, and keeps no results: {error}"));
-            return Kept {
-                answers: HashMap::new(),
-                file: None,
-            };
+            return Kept::default();
         }
     };
     let head = format!("{FORMAT} {fingerprint}\n");
@@ -64,32 +61,24 @@ pub(crate) fn open(path: &Path, fingerprint: &str, largest: usize, notes: &mut V
         true => OpenOptions::new().append(true).open(path),
         false => replace(path, &head, lines),
     };
-    let file = opened
-        .map_err(|error| {
-            notes.push(format!(
-                "{shown} cannot be written, and keeps no results: {error}"
-            ))
-        })
-        .ok();
-    if let Some(file) = &file {
+    match &opened {
         // The files that were used last are those that stay. Where the system does not note it, another may go first.
-        let _ = file.set_modified(SystemTime::now());
+        Ok(file) => _ = file.set_modified(SystemTime::now()),
+        Err(error) => notes.push(format!(
+            "{shown} cannot be written, and keeps no results: {error}"
+        )),
     }
-    let answers = lines
-        .iter()
-        .map(|line| (line.question.to_owned(), line.answers.to_owned()));
+    let answer = |line: &CacheLine<'_>| (line.question.to_owned(), line.answers.to_owned());
     Kept {
-        answers: answers.collect(),
-        file,
+        answers: lines.iter().map(answer).collect(),
+        file: opened.ok(),
     }
 }
 
 /// Returns the text of a file, with what is no UTF-8 replaced: such a line is broken anyway.
 fn read(path: &Path) -> io::Result<String> {
-    let mut bytes = Vec::new();
-    File::open(path)?.read_to_end(&mut bytes)?;
-    Ok(String::from_utf8(bytes)
-        .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
+    let text = String::from_utf8(fs::read(path)?);
+    Ok(text.unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
 }
 
 /// The contents of a file; by default there is no file.

@@ -47,14 +47,9 @@ impl Digest {
         let mut file = File::open(path)?;
         let mut piece = vec![0; 1 << 18];
         let mut length: u64 = 0;
-        loop {
-            match file.read(&mut piece)? {
-                0 => break,
-                read => {
-                    self.hasher.write(&piece[..read]);
-                    length += read as u64;
-                }
-            }
+        while let read @ 1.. = file.read(&mut piece)? {
+            self.hasher.write(&piece[..read]);
+            length += read as u64;
         }
         Ok(self.number(length))
     }

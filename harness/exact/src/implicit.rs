@@ -28,19 +28,13 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         return stated.value;
     }
     let document = rules.documents.implicit;
-    if document == DocumentedImplicit::IronplcMatrices
-        && rules.cross_family_widening
-        && is_cross_family(from, to)
-    {
-        return MatrixWord::Yes;
+    // "A bit-string type can widen to an integer type of strictly greater bit width", which needs the flag.
+    let is_cross_family = from.is_bit_string() && to.is_integer() && from.bits() < to.bits();
+    let has_flag = document == DocumentedImplicit::IronplcMatrices && rules.cross_family_widening;
+    match is_cross_family && has_flag {
+        true => MatrixWord::Yes,
+        false => DOCUMENTS[document as usize][from as usize][to as usize],
     }
-    DOCUMENTS[document as usize][from as usize][to as usize]
-}
-
-/// Returns whether the pair is one of "a bit-string type can widen to an integer type of strictly greater bit width", which
-/// needs the flag.
-const fn is_cross_family(from: ElementaryType, to: ElementaryType) -> bool {
-    from.is_bit_string() && to.is_integer() && from.bits() < to.bits()
 }
 
 /// The word of each pair of types, by their numbers.

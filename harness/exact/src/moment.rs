@@ -38,13 +38,9 @@ fn zero(ty: ElementaryType, units: MomentUnits) -> i128 {
 }
 
 /// Returns the number modulo 2^n as the integer that a type is, where each type counts its own units.
-const fn count(number: i128, ty: ElementaryType) -> i128 {
-    use ElementaryType::{Date, Dt, Ltime, Ltod, Time, Tod};
-    match ty {
-        Time | Tod | Date | Dt => number.rem_euclid(1 << 32),
-        Ltime | Ltod => number.rem_euclid(1 << 64),
-        _ => number as i64 as i128,
-    }
+fn count(number: i128, ty: ElementaryType) -> i128 {
+    let counter = counter(ty);
+    integer::of_bits(number, counter.bits(), counter)
 }
 
 /// Returns the nanoseconds that a raw form represents.
@@ -163,7 +159,8 @@ fn wrapped(nanoseconds: i128) -> i64 {
 fn stored(nanoseconds: i64, to: ElementaryType) -> u64 {
     match to.family() {
         Family::Date => day(nanoseconds),
-        Family::TimeOfDay => time_of_day(nanoseconds),
+        // The time that has passed since midnight, also before 1970.
+        Family::TimeOfDay => nanoseconds.rem_euclid(DAY as i64).cast_unsigned(),
         _ => nanoseconds.cast_unsigned(),
     }
 }
@@ -192,11 +189,6 @@ pub(crate) fn is_in_every_range(raw: u64) -> bool {
     const MILLISECOND: i128 = 1_000_000;
     let nanoseconds = nanoseconds(raw);
     (0..(1 << 31) * 1_000 * MILLISECOND).contains(&nanoseconds) && nanoseconds % MILLISECOND == 0
-}
-
-/// Returns the time that has passed since midnight, also before 1970.
-fn time_of_day(moment: i64) -> u64 {
-    wrapped(i128::from(moment).rem_euclid(DAY)).cast_unsigned()
 }
 
 /// Converts a duration, date or time of day to another such type: DATE to DT gives midnight, DT to DATE the day, and DT to

@@ -105,14 +105,11 @@ pub fn pattern_fits(pattern: &str, text: &str) -> bool {
 pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
     let spoken = |case: &&Case| plan.dialects.is_empty() || plan.dialects.contains(&case.dialect);
     let mut selected: Vec<&Case> = cases.iter().filter(spoken).collect();
-    if !plan.filters.is_empty() {
-        let chosen = chosen_by_any(&plan.filters, &selected);
-        let mut chosen = chosen.into_iter();
-        selected.retain(|_| chosen.next().unwrap_or(false));
-    }
-    if !plan.excluded.is_empty() {
-        let mut excluded = chosen_by_any(&plan.excluded, &selected).into_iter();
-        selected.retain(|_| !excluded.next().unwrap_or(false));
+    for (filters, is_kept) in [(&plan.filters, true), (&plan.excluded, false)] {
+        if !filters.is_empty() {
+            let mut chosen = chosen_by_any(filters, &selected).into_iter();
+            selected.retain(|_| chosen.next() == Some(is_kept));
+        }
     }
     if let Some(shard) = plan.shard {
         selected.retain(|case| shard.holds_case(&case.id, case.dialect.as_str()));

@@ -235,9 +235,8 @@ struct VerdictTally {
 
 impl VerdictTally {
     fn new(engines: &[&dyn Engine]) -> VerdictTally {
-        let name = |engine: &&dyn Engine| engine.identity().name.clone();
-        let none = |engine| EngineTotals {
-            name: name(engine),
+        let none = |engine: &&dyn Engine| EngineTotals {
+            name: engine.identity().name.clone(),
             totals: Totals::default(),
         };
         VerdictTally {
@@ -259,6 +258,9 @@ impl VerdictTally {
 }
 
 fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> Header {
+    let filters = plan.filters.iter().map(|filter| filter.as_str().to_owned());
+    let excluded = plan.excluded.iter();
+    let excluded = excluded.map(|filter| format!("not {}", filter.as_str()));
     Header {
         format: FORMAT,
         stickler: env!("CARGO_PKG_VERSION").to_owned(),
@@ -270,16 +272,7 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
             .map(|engine| engine_header(plan, *engine))
             .collect(),
         cases: cases as u64,
-        filters: plan
-            .filters
-            .iter()
-            .map(|filter| filter.as_str().to_owned())
-            .chain(
-                plan.excluded
-                    .iter()
-                    .map(|filter| format!("not {}", filter.as_str())),
-            )
-            .collect(),
+        filters: filters.chain(excluded).collect(),
         dialects: plan.dialects.iter().map(ToString::to_string).collect(),
         shard: plan.shard.map(|shard| shard.to_string()),
         broken_files: suite.errors.iter().map(ToString::to_string).collect(),

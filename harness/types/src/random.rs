@@ -41,13 +41,7 @@ impl SplitMix64 {
 
     /// Returns `length` bytes: the numbers of the sequence, the low byte first.
     pub fn bytes(self, length: usize) -> Vec<u8> {
-        let mut bytes: Vec<u8> = self
-            .numbers()
-            .take(length.div_ceil(8))
-            .flat_map(u64::to_le_bytes)
-            .collect();
-        bytes.truncate(length);
-        bytes
+        self.numbers().flat_map(u64::to_le_bytes).take(length).collect()
     }
 
     /// Returns the numbers of the sequence without end.

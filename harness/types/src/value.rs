@@ -153,14 +153,11 @@ impl Value {
         let Some(ty) = ElementaryType::from_literal_prefix(prefix) else {
             return enumerated(prefix, rest, behind);
         };
-        if ty.is_text() {
-            return text_of_type(rest, ty)
-                .map(|units| Value::text(ty, units))
-                .map_err(|e| e.shifted(behind));
-        }
-        plain_of_type(rest, ty)
-            .map(|raw| Value::plain(ty, raw))
-            .map_err(|error| error.shifted(behind))
+        let value = match ty.is_text() {
+            true => text_of_type(rest, ty).map(|units| Value::text(ty, units)),
+            false => plain_of_type(rest, ty).map(|raw| Value::plain(ty, raw)),
+        };
+        value.map_err(|error| error.shifted(behind))
     }
 }
 
@@ -170,20 +167,18 @@ fn plain_of_type(rest: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
         Family::Boolean => boolean(rest),
         Family::Signed | Family::Unsigned => ranged(literal::integer(rest), ty),
         Family::BitString => {
-            let value = literal::unsigned_integer(rest)?;
-            ranged(
-                i128::try_from(value).map_err(|_| LiteralError::overflow(0, ty.name())),
-                ty,
-            )
+            // No type holds the greatest number.
+            let value = i128::try_from(literal::unsigned_integer(rest)?);
+            ranged(Ok(value.unwrap_or(i128::MAX)), ty)
         }
         Family::Real => not_finite(rest, ty).map_or_else(|| literal::real(rest, ty), Ok),
         Family::Duration => literal::duration(rest).map(i64::cast_unsigned),
-        Family::Date => literal::date(rest)
-            .or_else(|error| otherwise(literal::date_and_time(rest), is_whole_day, error))
-            .map(i64::cast_unsigned),
-        Family::TimeOfDay => literal::time_of_day(rest)
-            .or_else(|error| otherwise(literal::duration(rest), is_within_a_day, error))
-            .map(i64::cast_unsigned),
+        Family::Date => otherwise(literal::date(rest), || literal::date_and_time(rest), is_whole_day),
+        Family::TimeOfDay => otherwise(
+            literal::time_of_day(rest),
+            || literal::duration(rest),
+            is_within_a_day,
+        ),
         Family::DateAndTime => literal::date_and_time(rest).map(i64::cast_unsigned),
         Family::Text | Family::Character => match text_of_type(rest, ty)?[..] {
             [unit] => Ok(u64::from(unit)),
@@ -203,17 +198,20 @@ fn is_within_a_day(nanoseconds: i64) -> bool {
     (0..DAY).contains(&nanoseconds)
 }
 
-/// Returns a value that no literal of its type stands for, read in the spelling of another type. Such a spelling of a value that
-/// has a literal is an error.
+/// Returns the raw form of a literal, or of a value that no literal of its type stands for, in the spelling of another type. Such
+/// a spelling of a value that has a literal is an error.
 fn otherwise(
     read: Result<i64, LiteralError>,
+    of_other: impl FnOnce() -> Result<i64, LiteralError>,
     has_a_literal: fn(i64) -> bool,
-    error: LiteralError,
-) -> Result<i64, LiteralError> {
-    match read {
-        Ok(value) if !has_a_literal(value) => Ok(value),
-        _ => Err(error),
-    }
+) -> Result<u64, LiteralError> {
+    let read = read.or_else(|error| {
+        of_other()
+            .ok()
+            .filter(|value| !has_a_literal(*value))
+            .ok_or(error)
+    });
+    read.map(i64::cast_unsigned)
 }
 
 /// Parses `0`, `1`, `FALSE` or `TRUE`.

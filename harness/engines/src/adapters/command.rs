@@ -7,6 +7,7 @@ use crate::shell_quote;
 use std::borrow::Cow;
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
+use stickler_types::join;
 
 /// A piece of a word.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -91,7 +92,7 @@ impl CommandTemplate {
     pub(super) fn for_shell(&self, fill: &Fill<'_>) -> (String, String) {
         let mut words = self.words.iter().map(|pieces| shell_word(pieces, fill));
         let program = words.next().unwrap_or_default();
-        (program, words.collect::<Vec<_>>().join(" "))
+        (program, join(words, " "))
     }
 }
 
@@ -121,11 +122,8 @@ fn pieces(word: &str, known: &[&str]) -> Result<Vec<Piece>, String> {
             .filter(|_| brace == "{")
             .ok_or_else(|| format!("a `{brace}` in `{word}` stands alone; write it twice for itself"))?;
         if !known.contains(&name) {
-            let known: Vec<String> = known.iter().map(|name| format!("`{{{name}}}`")).collect();
-            return Err(format!(
-                "`{{{name}}}` stands for nothing; there are {}",
-                known.join(", ")
-            ));
+            let known = join(known.iter().map(|name| format!("`{{{name}}}`")), ", ");
+            return Err(format!("`{{{name}}}` stands for nothing; there are {known}"));
         }
         pieces.push(Piece::Text(std::mem::take(&mut text)));
         pieces.push(Piece::Placeholder(name.to_owned()));

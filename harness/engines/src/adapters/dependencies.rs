@@ -186,12 +186,9 @@ impl<'p> DependencySearch<'p> {
             path: path.clone(),
             by,
         });
-        match dependency.kind == DependencyKind::Program && !may_be_executed(&path) {
-            false => Ok(Some(path)),
-            true => Err(format!(
-                "`{}` is not executable; allow it by `chmod +x`",
-                path.display()
-            )),
+        match dependency.kind {
+            DependencyKind::Program => executable(path).map(Some),
+            _ => Ok(Some(path)),
         }
     }
 
@@ -256,9 +253,21 @@ fn existing(path: &Path, by: &FoundBy, dependency: &Dependency) -> Result<PathBu
     ))
 }
 
+/// Returns the path of a file that the system would start as a program.
+///
+/// # Errors
+/// A fragment that says that it would not.
+pub(super) fn executable(path: PathBuf) -> Result<PathBuf, String> {
+    let shown = path.display();
+    match may_be_executed(&path) {
+        false => Err(format!("`{shown}` is not executable; allow it by `chmod +x`")),
+        true => Ok(path),
+    }
+}
+
 /// Tells whether the system would start the file as a program.
 #[cfg(unix)]
-pub(super) fn may_be_executed(path: &Path) -> bool {
+fn may_be_executed(path: &Path) -> bool {
     use std::os::unix::fs::PermissionsExt;
     path.metadata()
         .is_ok_and(|metadata| metadata.permissions().mode() & 0o111 != 0)
@@ -266,7 +275,7 @@ pub(super) fn may_be_executed(path: &Path) -> bool {
 
 /// Returns `true`: on systems other than Unix the name of a file says whether it can be started.
 #[cfg(not(unix))]
-pub(super) fn may_be_executed(_: &Path) -> bool {
+fn may_be_executed(_: &Path) -> bool {
     true
 }
 

@@ -11,7 +11,7 @@ mod template;
 mod values;
 
 use super::command::CommandTemplate;
-use super::dependencies::{FoundBy, FoundDependency, may_be_executed, on_path};
+use super::dependencies::{FoundBy, FoundDependency, executable, on_path};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, faulted, speaks_not, unsupported, without_colours};
 use super::probe_variable::{ProbeVariables, translate_with};
@@ -129,16 +129,13 @@ fn located(
             (found, FoundBy::Path)
         }
         _ if !program.is_file() => {
-            return Err(format!(
-                "there is no `{}`, which `{key}` names",
-                program.display()
-            ));
-        }
-        _ if !may_be_executed(&program) => {
             let shown = program.display();
-            return Err(format!("`{shown}` is not executable; allow it by `chmod +x`"));
+            return Err(format!("there is no `{shown}`, which `{key}` names"));
         }
-        _ => (program, FoundBy::Configuration("stickler.toml".to_owned())),
+        _ => {
+            let by = FoundBy::Configuration("stickler.toml".to_owned());
+            (executable(program)?, by)
+        }
     };
     Ok(Some(FoundDependency { key, path, by }))
 }

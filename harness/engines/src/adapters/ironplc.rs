@@ -34,19 +34,22 @@ use texts::ReadableTexts;
 /// The bytecode that the compiler writes.
 const BYTECODE: &str = "program.iplc";
 
-/// Returns the recipe that compiles a program.
+/// Returns the recipe that gives a program to a command of the compiler: `compile` or `render`.
 ///
 /// # Errors
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
-fn compilation(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
+fn translation(command: &str, dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
     let options = options(dialect)?.join(" ");
-    let recipe = Recipe::of(PROGRAM, text).makes(&[BYTECODE]);
-    Ok(recipe.step(
-        Compiler::Ironplc,
-        Purpose::Translate,
-        "compile",
-        &[("options", &options)],
-    ))
+    let values = [("options", &*options)];
+    Ok(Recipe::of(PROGRAM, text).step(Compiler::Ironplc, Purpose::Translate, command, &values))
+}
+
+/// Returns the recipe that compiles a program.
+///
+/// # Errors
+/// Fails as [`translation`] does.
+fn compilation(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
+    Ok(translation("compile", dialect, text)?.makes(&[BYTECODE]))
 }
 
 /// Returns the recipe that compiles the text of a request and runs it anew for each scan after which a value is observed.
@@ -64,21 +67,6 @@ fn execution(request: &RunRequest<'_>, text: &str, readbacks: &Readbacks) -> Res
         let values = [("scans", &*scans.to_string())];
         recipe.step(Compiler::Ironplc, Purpose::Execute(Some(scans)), "run", &values)
     }))
-}
-
-/// Returns the recipe that renders a program.
-///
-/// # Errors
-/// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
-fn rendering(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
-    let options = options(dialect)?.join(" ");
-    let recipe = Recipe::of(PROGRAM, text);
-    Ok(recipe.step(
-        Compiler::Ironplc,
-        Purpose::Translate,
-        "render",
-        &[("options", &options)],
-    ))
 }
 
 /// The adapter: the compiler and its virtual machine.
@@ -127,7 +115,7 @@ impl Adapter for Ironplc {
     }
 
     fn rendering(dialect: DialectName, source: &str) -> Result<Recipe, Outcome> {
-        rendering(dialect, source)
+        translation("render", dialect, source)
     }
 
     /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
@@ -171,7 +159,7 @@ impl Adapter for Ironplc {
         dialect: DialectName,
         source: &str,
     ) -> Result<Outcome, Outcome> {
-        let recipe = rendering(dialect, source)?;
+        let recipe = translation("render", dialect, source)?;
         workplace.begin(&recipe)?;
         let ended = workplace.step(&recipe, Purpose::Translate, &[])?;
         match ended.code()? {
@@ -288,12 +276,11 @@ fn outcome(
     readbacks: &Readbacks,
 ) -> Result<RunResult, Outcome> {
     let last = execute(workplace, recipe, request.scans)?;
-    let mut earlier = BTreeMap::new();
-    for scan in observed_scans(request) {
-        if scan != request.scans {
-            earlier.insert(scan, execute(workplace, recipe, scan)?);
-        }
-    }
+    let scans = observed_scans(request).into_iter();
+    let earlier: BTreeMap<u32, ExecutionEnd> = scans
+        .filter(|scan| *scan != request.scans)
+        .map(|scan| Ok((scan, execute(workplace, recipe, scan)?)))
+        .collect::<Result<_, Outcome>>()?;
     let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
     for asked in request.observe {
         let earlier = asked.after.and_then(|scan| earlier.get(&scan));

@@ -3,7 +3,7 @@
 use super::source::enumeration;
 use crate::{NamedValue, Observation, RunRequest};
 use std::collections::BTreeMap;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Value, join};
 
 /// The kind of an observed value.
 #[derive(Clone, Debug)]
@@ -101,13 +101,8 @@ pub(super) fn statement(asked: &Observation, kind: &ObservedKind<'_>, value: &Va
         (_, ValueExpression::Days(value)) => format!("print_days(\"{name}\", {value});"),
         (ObservedKind::Enumerated(_, values), ValueExpression::Number(value)) => {
             let numbered = values.iter().enumerate();
-            let numbered: Vec<String> = numbered
-                .map(|(number, value)| format!("{number} {value}"))
-                .collect();
-            format!(
-                "printf(\"{format} = %d (of {})\\n\", (int){value});",
-                numbered.join(", ")
-            )
+            let numbered = join(numbered.map(|(number, name)| format!("{number} {name}")), ", ");
+            format!("printf(\"{format} = %d (of {numbered})\\n\", (int){value});")
         }
         (ObservedKind::Elementary(_), ValueExpression::Number(value)) => {
             let (form, cast) = number(ty);

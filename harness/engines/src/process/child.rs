@@ -12,6 +12,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
+use stickler_types::join;
 
 /// The time limit for a process that is done to end, and for its stderr to be read to the end.
 const EXIT_TIMEOUT: Duration = Duration::from_secs(1);
@@ -146,12 +147,7 @@ pub(super) fn last_lines(text: &str) -> String {
     let text = &text[from.unwrap_or(0)..];
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
     let last = &lines[lines.len().saturating_sub(MAX_STDERR_LINES)..];
-    let joined = last
-        .iter()
-        .map(|line| line.trim())
-        .collect::<Vec<_>>()
-        .join(" | ");
-    joined
+    join(last.iter().map(|line| line.trim()), " | ")
         .chars()
         .filter(|character| !character.is_control())
         .collect()

@@ -67,6 +67,19 @@ fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
     }
 }
 
+/// The verdict on a reply, and what is amiss with it.
+type ReplyVerdict = (CheckVerdict, Option<String>);
+
+const RIGHT: ReplyVerdict = (CheckVerdict::Right, None);
+
+fn broken(words: impl Into<String>) -> ReplyVerdict {
+    (CheckVerdict::Broken, Some(words.into()))
+}
+
+fn wrong(words: impl Into<String>) -> ReplyVerdict {
+    (CheckVerdict::Wrong, Some(words.into()))
+}
+
 /// Compares a reply, which answers the question at hand, with the expected answer. `grade` is what the adapter claims for its
 /// rejections, and `types` gives the type of each observed value by its key.
 pub(super) fn judge(
@@ -75,12 +88,10 @@ pub(super) fn judge(
     verb: &str,
     grade: Grade,
     types: &[(&str, &str)],
-) -> (CheckVerdict, Option<String>) {
-    let broken = |words: String| (CheckVerdict::Broken, Some(words));
-    let wrong = |words: String| (CheckVerdict::Wrong, Some(words));
+) -> ReplyVerdict {
     match (expect, reply) {
         (SmokeExpectation::Refused, Reply::Error { .. } | Reply::Unsupported { .. })
-        | (SmokeExpectation::Error, Reply::Error { .. }) => (CheckVerdict::Right, None),
+        | (SmokeExpectation::Error, Reply::Error { .. }) => RIGHT,
         (SmokeExpectation::Error, other) => broken(format!("it is answered by `{}`", other.word())),
         (_, Reply::Unsupported { reason, .. }) => {
             (CheckVerdict::Skipped, Some(format!("not supported: {reason}")))
@@ -89,31 +100,26 @@ pub(super) fn judge(
             broken(format!("it answers a sound request by an error: {message}"))
         }
         (SmokeExpectation::Accepted, Reply::Accepted { .. })
-        | (SmokeExpectation::Rendered, Reply::Rendered { .. }) => (CheckVerdict::Right, None),
+        | (SmokeExpectation::Rendered, Reply::Rendered { .. }) => RIGHT,
         (SmokeExpectation::Rejected { line }, Reply::Rejected { diagnostics, .. }) => {
             rejected(diagnostics, *line, grade)
         }
         (SmokeExpectation::Values(expected), Reply::Executed { values, .. }) => {
-            for (key, literal) in expected.iter().filter_map(|value| value.split_once(" = ")) {
-                let ty = types
-                    .iter()
-                    .find(|(name, _)| *name == key)
-                    .map_or("", |(_, ty)| *ty);
-                match value(values.get(key), key, ty, literal) {
-                    (CheckVerdict::Right, _) => {}
-                    other => return other,
-                }
-            }
-            (CheckVerdict::Right, None)
+            let expected = expected.iter().filter_map(|value| value.split_once(" = "));
+            let mut judged = expected.map(|(key, literal)| {
+                let asked = types.iter().find(|(name, _)| *name == key);
+                value(values.get(key), key, asked.map_or("", |(_, ty)| *ty), literal)
+            });
+            judged.find(|verdict| *verdict != RIGHT).unwrap_or(RIGHT)
         }
         (SmokeExpectation::Rejected { .. }, Reply::Accepted { .. } | Reply::Executed { .. }) => {
-            wrong("the program is accepted, and must be rejected".to_owned())
+            wrong("the program is accepted, and must be rejected")
         }
         (SmokeExpectation::Refused, Reply::Executed { .. } | Reply::Accepted { .. }) => {
             broken(format!("it is answered by `{}`", reply.word()))
         }
         (SmokeExpectation::Values(_), Reply::Accepted { .. }) => {
-            broken("it says that it can `execute`, and answers `run` by `accepted`".to_owned())
+            broken("it says that it can `execute`, and answers `run` by `accepted`")
         }
         (SmokeExpectation::Values(_), Reply::Faulted { fault, .. }) => {
             wrong(format!("the program stops with the fault {fault}"))
@@ -130,12 +136,13 @@ pub(super) fn judge(
 }
 
 /// Judges a rejection, as far as the grade that the adapter claims.
-fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (CheckVerdict, Option<String>) {
-    let broken = |words: String| (CheckVerdict::Broken, Some(words));
+fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> ReplyVerdict {
     if diagnostics.is_empty() {
-        return broken("it rejects the program without a diagnostic".to_owned());
+        return broken("it rejects the program without a diagnostic");
     }
-    if grade.suffices(Grade::Line) && diagnostics.iter().all(|diagnostic| diagnostic.line.is_none()) {
+    let lines = diagnostics.iter().filter_map(|diagnostic| diagnostic.line);
+    let named: Vec<u32> = lines.collect();
+    if grade.suffices(Grade::Line) && named.is_empty() {
         return broken(format!(
             "no diagnostic names a line, and `hello` claims the grade `{grade}`; claim `rejected`"
         ));
@@ -145,18 +152,11 @@ fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Che
             "no diagnostic has a code, and `hello` claims the grade `{grade}`; claim `line`"
         ));
     }
-    let named: Vec<u32> = diagnostics
-        .iter()
-        .filter_map(|diagnostic| diagnostic.line)
-        .collect();
     match line {
-        Some(line) if !named.is_empty() && !named.contains(&line) => (
-            CheckVerdict::Wrong,
-            Some(format!(
-                "the diagnostics name the lines {named:?}, and the mistake stands on line {line}"
-            )),
-        ),
-        _ => (CheckVerdict::Right, None),
+        Some(line) if !named.is_empty() && !named.contains(&line) => wrong(format!(
+            "the diagnostics name the lines {named:?}, and the mistake stands on line {line}"
+        )),
+        _ => RIGHT,
     }
 }
 
@@ -164,8 +164,7 @@ fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Che
 pub const OTHER_TYPE: &str = "another type: the compiler gives the variable another one, or the adapter does not know the declared one";
 
 /// Judges one value: its form, its type, and whether it is the expected one.
-fn value(literal: Option<&String>, key: &str, ty: &str, expected: &str) -> (CheckVerdict, Option<String>) {
-    let broken = |words: String| (CheckVerdict::Broken, Some(words));
+fn value(literal: Option<&String>, key: &str, ty: &str, expected: &str) -> ReplyVerdict {
     let Some(literal) = literal else {
         return broken(format!("`values` has no `{key}`, which was asked for"));
     };
@@ -178,15 +177,13 @@ fn value(literal: Option<&String>, key: &str, ty: &str, expected: &str) -> (Chec
         }
     };
     if ElementaryType::from_name(value.type_name()) != ElementaryType::from_name(ty) {
-        let wrong = format!("`{literal}` of `{key}`, which was asked for as {ty}, has {OTHER_TYPE}");
-        return (CheckVerdict::Wrong, Some(wrong));
+        return wrong(format!(
+            "`{literal}` of `{key}`, which was asked for as {ty}, has {OTHER_TYPE}"
+        ));
     }
     match Value::parse(expected) {
-        Ok(right) if right != value => (
-            CheckVerdict::Wrong,
-            Some(format!("`{key}` is {literal}, and must be {expected}")),
-        ),
-        _ => (CheckVerdict::Right, None),
+        Ok(right) if right != value => wrong(format!("`{key}` is {literal}, and must be {expected}")),
+        _ => RIGHT,
     }
 }
 

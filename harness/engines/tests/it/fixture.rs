@@ -11,7 +11,7 @@ use stickler_engines::{
     ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Session, Setting,
 };
 use stickler_mdtest::{Section, sections};
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, Value, join};
 
 /// Returns the sections of a file, each with a first heading: with all that stands behind that, and the tests that follow.
 pub fn files(text: &str) -> Vec<(Section, Vec<Section>)> {
@@ -149,11 +149,8 @@ pub fn shown(outcome: &Outcome) -> String {
 }
 
 fn list(values: &[NamedValue]) -> String {
-    let values: Vec<String> = values
-        .iter()
-        .map(|(name, value)| format!("{name} = {value}"))
-        .collect();
-    values.join(", ")
+    let values = values.iter();
+    join(values.map(|(name, value)| format!("{name} = {value}")), ", ")
 }
 
 fn with_diagnostics(mut line: String, diagnostics: &[Diagnostic]) -> String {

@@ -15,6 +15,12 @@ fn unruly(limits: ProcessLimits) -> ProcessEngine {
     ProcessEngine::start(&format!("sh '{UNRULY}'"), limits).unwrap()
 }
 
+/// Starts the adapter with a path in this variable.
+fn unruly_with(variable: &str, path: &Path) -> ProcessEngine {
+    let line = format!("env '{variable}={}' sh '{UNRULY}'", path.display());
+    ProcessEngine::start(&line, LIMITS).unwrap()
+}
+
 /// Asks for a check of a program that tells the adapter how to misbehave.
 fn please(session: &mut dyn Session, what: &str) -> Outcome {
     session.check(DialectName::MATIEC, &format!("please: {what}"))
@@ -67,11 +73,7 @@ fn what_a_dead_process_started_is_killed_too() {
     let folder = tempfile::tempdir().unwrap();
     let probe = folder.path().join("probe");
     mkfifo(&probe);
-    let engine = ProcessEngine::start(
-        &format!("env 'WITNESS={}' sh '{UNRULY}'", probe.display()),
-        LIMITS,
-    )
-    .unwrap();
+    let engine = unruly_with("WITNESS", &probe);
     // Ends when nobody holds the other side any more.
     let reader = thread::spawn(move || fs::read(probe));
     let mut session = engine.session().unwrap();
@@ -84,11 +86,7 @@ fn what_a_dead_process_started_is_killed_too() {
 fn a_session_that_ends_takes_leave() {
     let folder = tempfile::tempdir().unwrap();
     let farewell = folder.path().join("farewell");
-    let engine = ProcessEngine::start(
-        &format!("env 'FAREWELL={}' sh '{UNRULY}'", farewell.display()),
-        LIMITS,
-    )
-    .unwrap();
+    let engine = unruly_with("FAREWELL", &farewell);
     drop(engine.session().unwrap());
     assert_eq!(fs::read(farewell).unwrap(), b"bye\n");
 }

@@ -10,6 +10,7 @@ use stickler_engines::{
     ProcessLimits,
 };
 use stickler_mdtest::{Section, fits};
+use stickler_types::join;
 use tempfile::TempDir;
 
 /// Limits that suffice on a busy machine; a section with a program that hangs has shorter ones.
@@ -109,11 +110,8 @@ fn failures(engine: &dyn Engine, test: &Section) -> Vec<String> {
             other => panic!("{}: {other:?}", test.heading),
         })
         .collect();
-    let packed: Vec<_> = rows
-        .iter()
-        .filter(|(_, asked, _)| asked.verb == "packed")
-        .collect();
-    let requests: Vec<_> = packed.iter().map(|(source, asked, _)| asked.of(source)).collect();
+    let packed = rows.iter().filter(|(_, asked, _)| asked.verb == "packed");
+    let requests: Vec<_> = packed.map(|(source, asked, _)| asked.of(source)).collect();
     let mut packed = session.run_pack(&requests).into_iter();
     let mut failures = Vec::new();
     for (row, (source, asked, expected)) in test.rows.iter().zip(&rows) {
@@ -129,13 +127,8 @@ fn failures(engine: &dyn Engine, test: &Section) -> Vec<String> {
             }
             "identity" => {
                 let identity = engine.identity();
-                let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
-                check(&format!(
-                    "{} {} {}",
-                    identity.version,
-                    abilities.join(" "),
-                    identity.grade
-                ));
+                let abilities = join(&identity.abilities, " ");
+                check(&format!("{} {abilities} {}", identity.version, identity.grade));
                 continue;
             }
             "packed" => match packed.next() {

@@ -8,14 +8,18 @@ use stickler_types::{
     Value,
 };
 
+/// Returns the signatures of all functions of a dialect.
+fn all_signatures(dialect: DialectName) -> impl Iterator<Item = Signature> {
+    let names = functions(dialect).into_iter();
+    names.flat_map(move |name| signatures(&name, dialect))
+}
+
 /// Returns every signature that has a fast form, each once whatever its name.
 fn quick_signatures() -> Vec<Signature> {
     let mut seen = HashSet::new();
     let dialect = DialectName::IRONPLC_ED3;
-    let all = functions(dialect)
-        .into_iter()
-        .flat_map(|name| signatures(&name, dialect));
-    all.filter(|signature| Bulk::new(signature, &dialect.rules().conversions).is_some())
+    all_signatures(dialect)
+        .filter(|signature| Bulk::new(signature, &dialect.rules().conversions).is_some())
         .filter(|signature| seen.insert((signature.operation, signature.operands.clone(), signature.result)))
         .collect()
 }
@@ -107,10 +111,7 @@ fn the_quick_form_agrees_with_the_exact_one() {
 #[test]
 fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
     for dialect in DialectName::ALL {
-        for signature in functions(dialect)
-            .iter()
-            .flat_map(|name| signatures(name, dialect))
-        {
+        for signature in all_signatures(dialect) {
             let plain = |ty: &ElementaryType| !ty.is_text() && ty.bits() <= 32;
             let choices = dialect.rules().conversions;
             let has_none = match signature.result.family() {

@@ -69,13 +69,12 @@ pub(super) fn scaled(number: Finite, raw: u64, ty: ElementaryType) -> RoundedDec
     };
     let numerator = part(places, exponent) * significand;
     let raw = quotient::nearest(false, &numerator, &part(-places, -exponent), ty);
-    let whole = match real::decode(raw, ty) {
-        Real::Finite(number) => real::to_whole(number, Rounding::HalfAwayFromZero),
-        _ => Whole::Huge { negative: false },
-    };
-    let digits = match whole {
-        Whole::Number(number) => number.to_string(),
-        Whole::Huge { .. } => "0".to_owned(),
+    let digits = if let Real::Finite(number) = real::decode(raw, ty)
+        && let Whole::Number(number) = real::to_whole(number, Rounding::HalfAwayFromZero)
+    {
+        number.to_string()
+    } else {
+        "0".to_owned()
     };
     RoundedDecimal {
         exponent: digits.len() as i32 - 1 - places,

@@ -74,6 +74,14 @@ fn with_choices<'b>(dialect: Dialect, choices: impl Iterator<Item = &'b str>) ->
     })
 }
 
+fn parsed(literal: &str) -> Result<Value, String> {
+    Value::parse(literal).map_err(|error| error.to_string())
+}
+
+fn shown(value: Option<Value>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| value.to_string())
+}
+
 /// Reads a call, and finds the signature that it has.
 fn read(call: &str, dialect: DialectName) -> Result<(Signature, Vec<Value>), String> {
     let (call, result) = match call.rsplit_once(" : ") {
@@ -88,8 +96,7 @@ fn read(call: &str, dialect: DialectName) -> Result<(Signature, Vec<Value>), Str
         true => operands.split(", ").collect(),
         false => vec![operands],
     };
-    let operands: Result<Vec<Value>, _> = operands.into_iter().map(Value::parse).collect();
-    let operands = operands.map_err(|error| error.to_string())?;
+    let operands: Vec<Value> = operands.into_iter().map(parsed).collect::<Result<_, _>>()?;
     let fits = |one: &Signature| one.takes(&operands) && result.is_none_or(|result| one.result == result);
     let found = signatures(function, dialect).into_iter().find(fits);
     found
@@ -112,7 +119,7 @@ fn calls(block: &Block) -> Vec<Difference> {
             } else {
                 value(&signature, &operands, &dialect.conversions)
             };
-            same(given, Value::parse(result).map_err(|error| error.to_string())?)
+            same(given, parsed(result)?)
         }));
     }
     found
@@ -150,10 +157,7 @@ fn defined(block: &Block, names: &HashMap<String, String>) -> Vec<Difference> {
             .ok_or("a row has a result and a source")?;
         let (signature, operands) = read(call, dialect)?;
         let given = expected(&signature, &operands, dialect);
-        same(
-            given.value,
-            Value::parse(result.trim()).map_err(|error| error.to_string())?,
-        )?;
+        same(given.value, parsed(result.trim())?)?;
         same(given.basis.unwrap_or("-"), source(name, names)?)
     })
 }
@@ -162,10 +166,7 @@ fn stated(block: &Block, call: &str, result: &str) -> Result<(), String> {
     dialects(block).try_for_each(|dialect| {
         let (signature, operands) = read(call, dialect)?;
         let stated = stated_by_vendor(&signature, &operands, dialect);
-        same(
-            stated.map_or_else(|| "-".to_owned(), |(value, _)| value.to_string()),
-            result.to_owned(),
-        )
+        same(shown(stated.map(|(value, _)| value)), result.to_owned())
     })
 }
 
@@ -175,17 +176,14 @@ fn nearest(block: &Block, call: &str, number: &str) -> Result<(), String> {
         return Err(format!("`{call}` is no call"));
     };
     let given = nearest_result(&call.function, &call.operands, call.result);
-    same(
-        given.map_or("-".to_owned(), |value| value.to_string()),
-        number.to_owned(),
-    )
+    same(shown(given), number.to_owned())
 }
 
 fn implicit(row: &str, result: &str) -> Result<(), String> {
     let (value, target) = row
         .split_once(" : ")
         .ok_or("a row begins with a value and a type")?;
-    let value = Value::parse(value).map_err(|error| error.to_string())?;
+    let value = parsed(value)?;
     let target = ElementaryType::from_name(target.trim()).ok_or("no such type")?;
     let given = match implicit_result(&value, target) {
         Some(ImplicitResult::Exactly(value)) => value.to_string(),

@@ -10,7 +10,7 @@ use crate::event::{CaseEvent, Cause, EngineHeader, ExplainedCases};
 use jiff::civil::Date;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use stickler_suite::Suite;
-use stickler_types::{DialectName, counted};
+use stickler_types::{DialectName, counted, join};
 
 /// The verdicts of a run on one engine, as if it had no baseline.
 #[derive(Clone, Debug)]
@@ -222,11 +222,11 @@ fn fate<'k>(
 
 /// Describes the verdicts of those cases of an entry that no longer have the expected one.
 fn describe_verdicts(gone: &BTreeMap<Verdict, usize>) -> String {
-    let numbers = gone.iter().map(|(verdict, number)| match verdict {
-        Verdict::Pass => format!("{number} now pass"),
-        verdict => format!("{number} now {verdict}"),
-    });
-    numbers.collect::<Vec<_>>().join(", ")
+    let numbers = gone.iter();
+    join(
+        numbers.map(|(verdict, number)| format!("{number} now {verdict}")),
+        ", ",
+    )
 }
 
 /// The words between what an entry is about and where it was seen, in the reason of an entry that nobody has changed.

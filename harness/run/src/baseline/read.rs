@@ -5,7 +5,7 @@ use crate::{Filter, Verdict};
 use jiff::civil::Date;
 use semver::VersionReq;
 use serde::Deserialize;
-use stickler_types::sorted;
+use stickler_types::{join, sorted};
 use toml::{Spanned, Value};
 
 /// The verdicts that an entry may expect; a pass, which comes first, only beside others.
@@ -156,12 +156,9 @@ fn verdict(value: &Value, allowed: &[Verdict]) -> Result<Verdict, String> {
         .iter()
         .find(|verdict| value.as_str() == Some(verdict.as_str()));
     named.copied().ok_or_else(|| {
-        let names: Vec<String> = allowed.iter().map(|verdict| format!("`{verdict}`")).collect();
+        let names = join(allowed.iter().map(|verdict| format!("`{verdict}`")), ", ");
         let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        format!(
-            "`{word}` is no verdict that a baseline expects; it may be {}",
-            names.join(", ")
-        )
+        format!("`{word}` is no verdict that a baseline expects; it may be {names}")
     })
 }
 

@@ -77,13 +77,12 @@ pub struct Reproducer {
 impl Reproducer {
     /// Returns which neighbours deviate in the same way, and which do not, in sentences of a page; nothing where the engine was asked about none.
     pub fn neighbours_told(&self) -> Option<String> {
-        let same = self
-            .neighbours_in_words(true)
-            .map(|words| format!("The same comes {words}."));
-        let other = self
-            .neighbours_in_words(false)
-            .map(|words| format!("It does not come {words}."));
-        let told: Vec<String> = same.into_iter().chain(other).collect();
+        let begins = [(true, "The same comes"), (false, "It does not come")].into_iter();
+        let told = begins.filter_map(|(is_same, begins)| {
+            let words = self.neighbours_in_words(is_same)?;
+            Some(format!("{begins} {words}."))
+        });
+        let told: Vec<String> = told.collect();
         (!told.is_empty()).then(|| told.join(" "))
     }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::iter::Sum;
 use std::ops::AddAssign;
-use stickler_types::words;
+use stickler_types::{join, words};
 
 words! {
     /// The verdict on the result of a case on an engine. Basis: reports/README.md (the words).
@@ -39,8 +39,7 @@ words! {
 impl Verdict {
     /// Joins alternative verdicts for people: `fail or crash`.
     pub fn any_of(verdicts: &[Verdict]) -> String {
-        let words: Vec<&str> = verdicts.iter().map(|verdict| verdict.as_str()).collect();
-        words.join(" or ")
+        join(verdicts, " or ")
     }
 
     /// Returns whether a run with this verdict in it is still as expected. An unexpected pass is not: its baseline is stale.

@@ -12,7 +12,7 @@ use stickler_run::{
     select,
 };
 use stickler_suite::{Case, FileKind};
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, DialectName, join};
 use stickler_workers::{Cancellation, Shard};
 
 /// Returns the grade of the column `strict`; the code where there is none.
@@ -23,15 +23,14 @@ fn strict(example: &Example) -> Grade {
 /// Returns a rendered program: one with this body, if the text is no whole program and no other outcome.
 fn rendered(text: &str) -> Outcome {
     let mut words = "accepted,rejected,unsupported,crashed,timed out,error".split(',');
-    match words.any(|word| text.starts_with(word)) {
-        true => outcome(text),
-        false if text.starts_with("PROGRAM") => Outcome::Rendered {
-            text: text.to_owned(),
-        },
-        false => Outcome::Rendered {
-            text: format!("PROGRAM main\n    VAR\n        r : BOOL;\n    END_VAR\n    {text}\nEND_PROGRAM\n"),
-        },
+    if words.any(|word| text.starts_with(word)) {
+        return outcome(text);
     }
+    let text = match text.starts_with("PROGRAM") {
+        true => text.to_owned(),
+        false => format!("PROGRAM main\n    VAR\n        r : BOOL;\n    END_VAR\n    {text}\nEND_PROGRAM\n"),
+    };
+    Outcome::Rendered { text }
 }
 
 /// Returns the answers of the columns `does`, `rendered`, `again` and `rerun`.
@@ -86,17 +85,13 @@ fn golden_symptoms() {
 #[test]
 fn golden_facts() {
     check_examples("tests/examples/facts.md", |example| {
-        let fact: Fact = match serde_json::from_str(example.text("json")) {
+        let json = example.text("json");
+        let fact: Fact = match serde_json::from_str(json) {
             Ok(fact) => fact,
             Err(error) => return error.to_string(),
         };
-        let value: serde_json::Value = serde_json::from_str(example.text("json")).unwrap();
-        assert_eq!(
-            serde_json::to_value(&fact).unwrap(),
-            value,
-            "{}",
-            example.heading()
-        );
+        let value: serde_json::Value = serde_json::from_str(json).unwrap();
+        assert_eq!(serde_json::to_value(&fact).unwrap(), value, "{json}");
         fact.to_string()
     });
 }
@@ -105,20 +100,14 @@ fn golden_facts() {
 fn golden_filters() {
     check_examples("tests/examples/filters.md", |example| {
         let filter = Filter::new(example.text("filter"));
-        let (id, dialect) = example
-            .text("case")
-            .split_once('@')
-            .unwrap_or((example.text("case"), ""));
+        let key = example.text("case");
+        let (id, dialect) = key.split_once('@').unwrap_or((key, ""));
         let holds = match example.wanted() {
             "fits" => filter.fits(id, dialect),
             "names" => filter.names(id, dialect),
             "may fit table" => filter.may_fit_file(id, FileKind::Table),
             "may fit program" => filter.may_fit_file(id, FileKind::Program),
-            _ => {
-                return filter
-                    .dialect()
-                    .map_or_else(String::new, |dialect| dialect.to_string());
-            }
+            _ => return join(filter.dialect(), ""),
         };
         if holds { "yes" } else { "no" }.to_owned()
     });
@@ -127,12 +116,7 @@ fn golden_filters() {
 #[test]
 fn golden_stored_answers() {
     check_examples("tests/examples/stored.md", |example| {
-        let expects = if example.get("rendered").is_some() {
-            "rendered x"
-        } else {
-            ""
-        };
-        let case = expecting(expects);
+        let case = expecting(example.get("rendered").map_or("", |_| "rendered x"));
         let told = answers(example);
         let engine = answering("puppet", told.clone());
         let mut session = EngineSession::new(&engine);
@@ -151,10 +135,8 @@ fn golden_stored_answers() {
         assert!(!stored.contains('\n'), "{stored}");
         // What was kept is read as it was, without the engine.
         let silent = puppet("silent", |_| panic!("asked again"));
-        assert_eq!(
-            ask_stored(&mut EngineSession::new(&silent), &case, Some(&book)).unwrap(),
-            told
-        );
+        let known = ask_stored(&mut EngineSession::new(&silent), &case, Some(&book)).unwrap();
+        assert_eq!(known, told);
         stored.clone()
     });
 }
@@ -319,12 +301,8 @@ fn run_with_baseline(example: &Example) -> String {
         Event::Header(header) => {
             // A baseline takes part where it is about the engine, whether or not it has entries.
             let about = plan.baselines[0].engine == "iron";
-            assert_eq!(
-                header.baselines.len(),
-                usize::from(about),
-                "{}",
-                example.heading()
-            );
+            let baselines = header.baselines.len();
+            assert_eq!(baselines, usize::from(about), "{}", example.heading());
             for entry in header.baselines.iter().flat_map(|held| &held.outdated) {
                 text += &format!("outdated: {} {}: {}\n", entry.at, entry.case, entry.why);
             }
@@ -337,30 +315,16 @@ fn run_with_baseline(example: &Example) -> String {
 
 /// Shows the verdict of a case, and the note of its baseline.
 fn noted(case: &CaseEvent) -> String {
-    let note = case.baseline.as_ref().map(|note| {
-        let link = note
-            .link
-            .as_ref()
-            .map_or_else(String::new, |link| format!(", {link}"));
-        format!(
-            " ({}: {}, {}{link})",
-            note.at,
-            Verdict::any_of(&note.verdicts()),
-            note.reason
-        )
-    });
-    let was = if case.verdict == case.actual_verdict() {
-        String::new()
-    } else {
-        format!(", was {}", case.actual_verdict())
-    };
-    format!(
-        "{}@{}: {}{was}{}\n",
-        case.id,
-        case.dialect,
-        case.verdict,
-        note.unwrap_or_default()
-    )
+    let mut text = format!("{}@{}: {}", case.id, case.dialect, case.verdict);
+    if case.verdict != case.actual_verdict() {
+        text += &format!(", was {}", case.actual_verdict());
+    }
+    if let Some(note) = &case.baseline {
+        let link = join(note.link.iter().map(|link| format!(", {link}")), "");
+        let verdicts = Verdict::any_of(&note.verdicts());
+        text += &format!(" ({}: {verdicts}, {}{link})", note.at, note.reason);
+    }
+    text + "\n"
 }
 
 #[test]
@@ -393,7 +357,7 @@ fn blessed(example: &Example) -> String {
     let lines = example.text("run").lines().chain(example.text("only").lines());
     let lines: Vec<(&str, Verdict)> = lines
         .map(|line| line.rsplit_once(' ').unwrap())
-        .map(verdict_of)
+        .map(|(start, verdict)| (start, Verdict::from_word(verdict).unwrap()))
         .collect();
     let mut run = EngineRun::new(engine_header("iron"));
     for case in suite
@@ -415,9 +379,7 @@ fn blessed(example: &Example) -> String {
         run.take_cause(cause(probe, title, &dialects));
     }
     let file = example.get("file").unwrap_or("b/iron.toml");
-    let text = example
-        .get("baseline")
-        .map_or_else(String::new, |text| format!("{text}\n"));
+    let text = join(example.get("baseline").map(|text| format!("{text}\n")), "");
     let day = jiff::civil::date(2026, 11, 21);
     let read = |text: &str| Baseline::read(text, file, "iron").unwrap();
     let blessing = bless(&text, &read(&text), &run, &suite, day);
@@ -434,15 +396,14 @@ fn blessed(example: &Example) -> String {
         format!("{:?} {verdicts} {}: {}\n", change.kind, change.case, change.why)
     });
     let changes: String = changes.collect();
-    let strangers = format!("{} cases of the run are not in the suite\n", blessing.strangers);
-    let strangers = if blessing.strangers > 0 { &strangers } else { "" };
-    if example.wanted() == "changes" {
-        return format!("{changes}{strangers}");
-    }
-    let text = if blessing.text == text {
-        "unchanged"
-    } else {
-        &blessing.text
+    let strangers = match blessing.strangers {
+        0 => String::new(),
+        number => format!("{number} cases of the run are not in the suite\n"),
+    };
+    let text = match example.wanted() {
+        "changes" => "",
+        _ if blessing.text == text => "unchanged",
+        _ => &blessing.text,
     };
     format!("{changes}{strangers}{text}")
 }
@@ -461,16 +422,6 @@ fn cause(probe: &str, title: &str, dialects: &[DialectName]) -> Cause {
         cases: dialects.iter().map(explained).collect(),
         ..Cause::default()
     }
-}
-
-fn verdict_of<'l>((start, verdict): (&'l str, &str)) -> (&'l str, Verdict) {
-    (
-        start,
-        Verdict::ALL
-            .into_iter()
-            .find(|known| known.as_str() == verdict)
-            .unwrap(),
-    )
 }
 
 #[test]

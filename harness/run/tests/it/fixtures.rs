@@ -7,8 +7,8 @@ use std::path::Path;
 use std::sync::{LazyLock, Mutex};
 use stickler_engines::{Ability, ClosureEngine, Engine, Grade, Identity, Outcome, RunRequest};
 use stickler_run::{
-    AnswerStore, Answers, CaseEvent, EngineHeader, Event, Footer, Plan, Rendering, RunSummary, Verdict,
-    run_with,
+    AnswerStore, Answers, CaseEvent, EngineHeader, Event, Footer, Plan, Rendering, RunError, RunSummary,
+    Verdict, run_with,
 };
 use stickler_suite::{Case, Sources, Suite, Wanted};
 use stickler_types::DialectName;
@@ -26,6 +26,14 @@ pub fn events_of_a_twentieth(engine: &dyn Engine, jobs: usize) -> Vec<Event> {
         ..Plan::default()
     };
     timeless_events(&plan, &SHIPPED, &[engine])
+}
+
+/// Returns the end and the events of a run.
+pub fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary, RunError>, Vec<Event>) {
+    let mut events = Vec::new();
+    let mut sink = |event| events.push(event);
+    let ended = run_with(plan, suite, engines, &[], &mut sink, &Cancellation::new());
+    (ended, events)
 }
 
 /// Returns the events of a run, without their durations.

@@ -1,13 +1,12 @@
 //! Tests what an engine lacks: features, and programs without a mistake beside those that it must reject.
 
-use crate::fixtures::{puppet, suite, timeless_run, with_jobs};
+use crate::fixtures::{go, puppet, suite, timeless_run, with_jobs};
 use crate::words::expecting;
 use stickler_engines::{ClosureEngine, Engine, Outcome, Reference, RunRequest};
 use stickler_mdtest::{Example, check_examples};
-use stickler_run::{Cause, Event, Grade, Plan, RunError, run};
+use stickler_run::{Cause, Event, Grade, Plan, RunError};
 use stickler_suite::{Case, Features, Suite};
-use stickler_types::{Diagnostic, DialectName};
-use stickler_workers::Cancellation;
+use stickler_types::{Diagnostic, DialectName, join};
 
 /// Returns the case of a line: an id, what it expects, the type of a variable, and a statement.
 fn case(line: &str) -> Case {
@@ -56,13 +55,9 @@ fn without(lines: &str) -> ClosureEngine<'static> {
 
 /// Shows what an engine lacks, in how many cases, and what becomes of them.
 fn lack(cause: &Cause) -> String {
-    let verdicts: Vec<String> = cause.lacked_in.values().map(ToString::to_string).collect();
-    let (title, number) = (&cause.title, cause.number());
-    format!(
-        "lacks {}, {title}: {number} {}",
-        cause.construct,
-        verdicts.join(" ")
-    )
+    let (key, title, number) = (&cause.construct, &cause.title, cause.number());
+    let verdicts = join(cause.lacked_in.values(), " ");
+    format!("lacks {key}, {title}: {number} {verdicts}")
 }
 
 /// Shows the verdict of each case and what the engine lacks, or the program that shows it.
@@ -77,20 +72,15 @@ fn golden_lacks() {
         let suite = with_features(example.text("cases"));
         let (_, events) = timeless_run(&plan, &suite, &[&without(example.text("refuses"))], &[]);
         let shown = |event: Event| match event {
-            Event::Case(case) => Some(format!(
-                "{}: {}",
-                case.id.replace("area/file::", ""),
-                case.verdict
-            )),
+            Event::Case(case) => {
+                let id = case.id.replace("area/file::", "");
+                Some(format!("{id}: {}", case.verdict))
+            }
             Event::Cause(cause) if example.wanted() == "program" => Some(cause.shown.program),
             Event::Cause(cause) => Some(lack(&cause)),
             Event::Header(_) | Event::Footer(_) => None,
         };
-        events
-            .into_iter()
-            .filter_map(shown)
-            .collect::<Vec<_>>()
-            .join("\n")
+        join(events.into_iter().filter_map(shown), "\n")
     });
 }
 
@@ -98,13 +88,7 @@ fn golden_lacks() {
 fn an_engine_that_rejects_the_plainest_program_ends_the_run() {
     let suite = with_features("plain | | INT | x := x;");
     let engine = without("PROGRAM");
-    let result = run(
-        &with_jobs(1),
-        &suite,
-        &[&engine],
-        &mut |_| {},
-        &Cancellation::new(),
-    );
+    let (result, _) = go(&with_jobs(1), &suite, &[&engine]);
     assert!(matches!(result, Err(RunError::RejectsAll { .. })), "{result:?}");
 }
 

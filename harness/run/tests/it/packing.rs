@@ -1,7 +1,7 @@
 //! Tests of runs in which an engine is given several programs at a time: only the duration may change.
 
 use crate::fixtures::{
-    events_of_a_twentieth, footer, ids, number, numbered, puppet, timeless_events, with_jobs,
+    events_of_a_twentieth, footer, ids, number, numbered, numbered_ids, puppet, timeless_events, with_jobs,
 };
 use crate::words::{expecting, outcome};
 use std::sync::Arc;
@@ -101,12 +101,9 @@ impl<E> Session for PackingSession<'_, E> {
         self.engine.largest.fetch_max(requests.len(), Ordering::Relaxed);
         let outcomes: Vec<Outcome> = requests.iter().map(|request| self.session.run(request)).collect();
         let sure = (self.engine.sure)(&outcomes);
-        let reported = |(outcome, sure)| {
-            if sure {
-                Packed::Answered(outcome)
-            } else {
-                Packed::Unknown
-            }
+        let reported = |(outcome, sure)| match sure {
+            true => Packed::Answered(outcome),
+            false => Packed::Unknown,
         };
         outcomes.into_iter().zip(sure).map(reported).collect()
     }
@@ -172,8 +169,7 @@ fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() 
     let (packs, largest, alone) = packing.asked();
     assert!(packs >= 6 && largest == 8, "{packs} packs of up to {largest}");
     assert!((16..24).contains(&alone), "{alone} alone");
-    let expected = (0..64).map(|number| format!("area/{number}@matiec puppet"));
-    assert!(ids(&events).into_iter().eq(expected));
+    assert_eq!(ids(&events), numbered_ids(0..64));
 }
 
 #[test]
@@ -203,15 +199,9 @@ fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
     let packing = Packing::new(puppet("packs", |_| outcome("executed")), 16, of_all_or_none);
     let single = puppet("single", |_| outcome("executed"));
     let events = timeless_events(&with_jobs(2), &numbered(0..200), &[&packing, &single]);
-    let engines: Vec<&str> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Case(case) => Some(&*case.engine),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(engines.len(), 400);
-    assert!(engines.chunks(2).all(|pair| pair == ["packs", "single"]));
+    let expected = (0..200)
+        .flat_map(|number| ["packs", "single"].map(|engine| format!("area/{number}@matiec {engine}")));
+    assert!(ids(&events).into_iter().eq(expected));
     assert!(packing.asked().1 == 16);
 }
 
@@ -231,22 +221,16 @@ fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
     });
     let packing = Packing::new(puppet, 64, of_all_or_none);
     let cases = numbered(0..5000);
-    let plan = Plan {
-        jobs: 2,
-        ..Plan::default()
-    };
-    let mut ids = Vec::new();
-    let mut sink = |event: Event| match event {
-        Event::Case(case) => ids.push(case.id),
-        Event::Header(_) => {}
-        Event::Cause(_) | Event::Footer(_) => panic!("complete"),
-    };
-    let summary = run(&plan, &cases, &[&packing], &mut sink, &cancel).unwrap();
+    let mut events = Vec::new();
+    let mut sink = |event: Event| events.push(event);
+    let summary = run(&with_jobs(2), &cases, &[&packing], &mut sink, &cancel).unwrap();
+    let ids = ids(&events);
+    assert_eq!(
+        (ids.len() + 1, footer(&events)),
+        (events.len(), None),
+        "a header and cases"
+    );
     assert!(summary.cancelled && summary.cases == ids.len() as u64);
     assert!(ids.len() < 2000, "{} cases", ids.len());
-    assert!(
-        ids.iter()
-            .map(|id| &**id)
-            .eq(cases.cases.iter().map(|case| &*case.id).take(ids.len()))
-    );
+    assert_eq!(ids, numbered_ids(0..ids.len()));
 }

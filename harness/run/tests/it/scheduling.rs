@@ -1,28 +1,16 @@
 //! Tests of whole runs over engines that only pretend.
 
 use crate::fixtures::{
-    case, footer, ids, number, numbered, numbered_ids, puppet, sources, suite, timeless_events, with_jobs,
+    case, footer, go, ids, number, numbered, numbered_ids, puppet, sources, suite, timeless_events, with_jobs,
 };
 use crate::words::outcome;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
-use stickler_engines::{Engine, EngineError};
-use stickler_run::{Event, Fact, Plan, RunError, RunSummary, Verdict, run};
-use stickler_suite::{Case, Suite};
+use stickler_engines::EngineError;
+use stickler_run::{Event, Fact, Plan, RunError, Verdict, run};
+use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
-
-fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary, RunError>, Vec<Event>) {
-    let mut events = Vec::new();
-    let outcome = run(
-        plan,
-        suite,
-        engines,
-        &mut |event| events.push(event),
-        &Cancellation::new(),
-    );
-    (outcome, events)
-}
 
 #[test]
 fn a_run_is_a_header_the_cases_in_order_and_a_footer() {

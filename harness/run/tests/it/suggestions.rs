@@ -6,7 +6,7 @@
 use std::path::Path;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_tabulate::folder::{self, CallTable, Suggestion};
-use stickler_types::{BitsAsReal, Dialect};
+use stickler_types::{BitsAsReal, Dialect, join};
 use stickler_workers::{SpawnError, WorkerPool};
 
 /// Describes a suggestion that the reference does not follow; returns `None` where it follows it.
@@ -20,10 +20,7 @@ fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
         Outcome::Executed { values, .. } if values.iter().any(|(_, value)| *value == suggestion.value) => {
             return None;
         }
-        Outcome::Executed { values, .. } => {
-            let values = values.iter().map(|(_, value)| value.to_string());
-            values.collect::<Vec<String>>().join(", ")
-        }
+        Outcome::Executed { values, .. } => join(values.iter().map(|(_, value)| value), ", "),
         other => format!("{other:?}"),
     };
     Some(format!(
@@ -53,12 +50,10 @@ fn the_reference_gives_what_the_design_suggests_where_no_document_speaks() {
         )
         .unwrap();
     let complaints = complaints.concat();
-    let shown: Vec<&str> = complaints.iter().take(30).map(String::as_str).collect();
+    let shown = join(complaints.iter().take(30), "\n");
+    let (missed, all) = (complaints.len(), suggestions.len());
     assert!(
-        complaints.is_empty(),
-        "{} of {} suggestions are not followed:\n{}",
-        complaints.len(),
-        suggestions.len(),
-        shown.join("\n")
+        missed == 0,
+        "{missed} of {all} suggestions are not followed:\n{shown}"
     );
 }

@@ -7,7 +7,7 @@ use stickler_run::{Fact, Judgement};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
 };
-use stickler_types::{DialectName, Fault, Observation, Severity, Value};
+use stickler_types::{DialectName, Fault, Observation, Severity, Value, join};
 
 fn parsed<T: FromStr>(text: &str) -> T {
     text.parse().unwrap_or_else(|_| panic!("`{text}` cannot be read"))
@@ -149,12 +149,10 @@ pub fn outcome(text: &str) -> Outcome {
             values: values(),
             warnings,
         },
-        ("rejected", _) => Outcome::Rejected {
-            diagnostics: rest
-                .lines()
-                .map(|line| diagnostic(line, Severity::Error))
-                .collect(),
-        },
+        ("rejected", _) => {
+            let errors = rest.lines().map(|line| diagnostic(line, Severity::Error));
+            Outcome::rejected(errors.collect())
+        }
         ("faulted", place) => {
             let (fault, line) = word(place);
             Outcome::Faulted {
@@ -189,14 +187,8 @@ pub fn shown(judgement: &Judgement) -> String {
         true => " as expected",
         false => "",
     };
-    let recorded = judgement
-        .observations
-        .iter()
-        .map(|it| format!("\n[{} = {}]", it.name, it.value));
-    let recorded: String = recorded.collect();
-    format!(
-        "{}{grade}{expected}: {}{recorded}",
-        judgement.verdict,
-        Fact::text(&judgement.got)
-    )
+    let recorded = judgement.observations.iter();
+    let recorded = join(recorded.map(|it| format!("\n[{} = {}]", it.name, it.value)), "");
+    let (verdict, got) = (judgement.verdict, Fact::text(&judgement.got));
+    format!("{verdict}{grade}{expected}: {got}{recorded}")
 }

@@ -82,12 +82,8 @@ fn dialect(given: &str) -> Result<Option<DialectName>, String> {
     }
     given
         .strip_prefix("Stickler's reference gives this code in the dialect `")
-        .and_then(|rest| rest.strip_suffix("`."))
-        .and_then(|name| {
-            DialectName::ALL
-                .into_iter()
-                .find(|dialect| dialect.as_str() == name)
-        })
+        .and_then(|rest| rest.strip_suffix("`.")?.parse().ok())
+        .filter(|dialect| DialectName::ALL.contains(dialect))
         .map(Some)
         .ok_or_else(|| format!("`{given}` must name a dialect, or be `{GIVEN_ELSEWHERE}`"))
 }

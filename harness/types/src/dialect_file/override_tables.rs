@@ -76,13 +76,11 @@ fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Read<()> {
             (Some(columns), None) => {
                 for (column, value) in columns.iter() {
                     let to = column.get_ref().as_ref();
-                    let pair = cell((name, &key.span()), (to, &column.span()), value, draft)?;
-                    once(&mut read, pair, &column.span())?;
+                    cell((name, &key.span()), (to, &column.span()), value, draft, &mut read)?;
                 }
             }
             (None, Some((from, to))) => {
-                let pair = cell((from, &key.span()), (to, &key.span()), value, draft)?;
-                once(&mut read, pair, &key.span())?;
+                cell((from, &key.span()), (to, &key.span()), value, draft, &mut read)?;
             }
             _ => {
                 let message = format!(
@@ -95,21 +93,14 @@ fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Read<()> {
     Ok(())
 }
 
-/// Checks that a pair is stated once; it can be written with and without quotes, which are different keys to TOML.
-fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Read<()> {
-    if read.insert(pair) {
-        return Ok(());
-    }
-    let message = format!("`{}.{}` has a word already", pair.0, pair.1);
-    Err(ConfigurationMistake::at(at.clone(), message))
-}
-
+/// Reads the word of a pair, which is not among those that were `read`.
 fn cell(
     (from, from_at): (&str, &Range<usize>),
     (to, to_at): (&str, &Range<usize>),
     value: &Spanned<DeValue<'_>>,
     draft: &mut Draft<'_>,
-) -> Read<Pair> {
+    read: &mut BTreeSet<Pair>,
+) -> Read<()> {
     let key = format!("{from}.{to}");
     let (from, to) = (elementary(from, from_at, draft)?, elementary(to, to_at, draft)?);
     if from == to {
@@ -130,7 +121,12 @@ fn cell(
         .dialect
         .cells
         .insert((from, to), Stated { value: word, basis });
-    Ok((from, to))
+    // A pair can be written with and without quotes, which are different keys to TOML.
+    if !read.insert((from, to)) {
+        let message = format!("`{key}` has a word already");
+        return Err(ConfigurationMistake::at(to_at.clone(), message));
+    }
+    Ok(())
 }
 
 /// Returns the elementary type of a name, if the dialect has it.

@@ -39,13 +39,15 @@ impl ConfigurationMistake {
 /// # Errors
 /// A mistake, if the value is not a table.
 pub fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Read<&'v DeTable<'i>> {
-    value.get_ref().as_table().ok_or_else(|| {
-        let found = value.get_ref().type_str();
-        ConfigurationMistake::at(
-            value.span(),
-            format!("`{name}` must be a table, and this is of type {found}"),
-        )
-    })
+    let table = value.get_ref().as_table();
+    table.ok_or_else(|| other_type(name, value, "a table"))
+}
+
+/// Returns the mistake of a value that must be something else.
+fn other_type(key: &str, value: &Spanned<DeValue<'_>>, must_be: &str) -> ConfigurationMistake {
+    let found = value.get_ref().type_str();
+    let message = format!("`{key}` must be {must_be}, and this is of type {found}");
+    ConfigurationMistake::at(value.span(), message)
 }
 
 /// Returns a value as a text.
@@ -53,13 +55,8 @@ pub fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Read<&'v De
 /// # Errors
 /// A mistake, if the value is not a text.
 pub fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Read<&'v str> {
-    value.get_ref().as_str().ok_or_else(|| {
-        let found = value.get_ref().type_str();
-        ConfigurationMistake::at(
-            value.span(),
-            format!("`{key}` must be a text in quotes, and this is of type {found}"),
-        )
-    })
+    let text = value.get_ref().as_str();
+    text.ok_or_else(|| other_type(key, value, "a text in quotes"))
 }
 
 /// Deserializes a table as `T`; `whose` describes the table in messages, and `further` are keys that it may also have, for

@@ -56,14 +56,11 @@ fn digits_of_base(digits: &[u8], base: u32, at: usize) -> Result<u128, LiteralEr
     if length == 0 || length < digits.len() {
         return Err(LiteralError::malformed(at + length, digit_name(base)));
     }
-    let mut value = 0_u128;
-    for digit in digits.iter().filter_map(|&byte| digit_of(byte, base)) {
-        value = value
-            .checked_mul(u128::from(base))
-            .and_then(|value| value.checked_add(u128::from(digit)))
-            .ok_or(LiteralError::overflow(0, "128 bits"))?;
-    }
-    Ok(value)
+    let mut digits = digits.iter().filter_map(|&byte| digit_of(byte, base));
+    let value = digits.try_fold(0_u128, |value, digit| {
+        value.checked_mul(base.into())?.checked_add(digit.into())
+    });
+    value.ok_or(LiteralError::overflow(0, "128 bits"))
 }
 
 fn digit_of(byte: u8, base: u32) -> Option<u32> {
@@ -81,19 +78,10 @@ fn digit_name(base: u32) -> &'static str {
 
 /// Returns the number of bytes at the start of `bytes` that are digits of `base`, with single underscores between them.
 pub(super) fn digit_run(bytes: &[u8], base: u32) -> usize {
+    let is_digit = |at: usize| bytes.get(at).is_some_and(|&byte| digit_of(byte, base).is_some());
     let mut end = 0;
-    loop {
-        while bytes.get(end).is_some_and(|&byte| digit_of(byte, base).is_some()) {
-            end += 1;
-        }
-        let goes_on = end > 0
-            && bytes.get(end) == Some(&b'_')
-            && bytes
-                .get(end + 1)
-                .is_some_and(|&byte| digit_of(byte, base).is_some());
-        if !goes_on {
-            return end;
-        }
+    while is_digit(end) || end > 0 && bytes.get(end) == Some(&b'_') && is_digit(end + 1) {
         end += 1;
     }
+    end
 }

@@ -26,20 +26,17 @@ pub fn real(text: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
     } else {
         Cow::Borrowed(text)
     };
-    let (raw, finite) = if ty == ElementaryType::Real {
-        digits
-            .parse::<f32>()
-            .map(|value| (u64::from(value.to_bits()), value.is_finite()))
-    } else {
-        digits
-            .parse::<f64>()
-            .map(|value| (value.to_bits(), value.is_finite()))
-    }
-    .map_err(|_| LiteralError::malformed(0, "a real number"))?;
-    if finite {
-        Ok(raw)
-    } else {
-        Err(LiteralError::overflow(0, ty.name()))
+    let read = match ty {
+        ElementaryType::Real => digits
+            .parse()
+            .map(|value: f32| (value.to_bits().into(), value.is_finite())),
+        _ => digits
+            .parse()
+            .map(|value: f64| (value.to_bits(), value.is_finite())),
+    };
+    match read.map_err(|_| LiteralError::malformed(0, "a real number"))? {
+        (raw, true) => Ok(raw),
+        (_, false) => Err(LiteralError::overflow(0, ty.name())),
     }
 }
 
@@ -57,14 +54,12 @@ fn condensed(text: &str) -> String {
     } else {
         i128::MAX
     });
+    let digits_of = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
     let whole = mantissa
         .split('.')
         .next()
-        .unwrap_or_default()
-        .bytes()
-        .filter(u8::is_ascii_digit)
-        .count();
-    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        .map_or(0, |whole| digits_of(whole).len());
+    let digits = digits_of(mantissa);
     let significant = digits.trim_start_matches('0');
     let point = whole as i128 - (digits.len() - significant.len()) as i128;
     // Nothing of either type has an exponent near this bound.

@@ -42,28 +42,20 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
         "write-date-and-time" => |number| written(literal::write_date_and_time, number),
         "write-text" => |units| written_text(units, false),
         "write-wide-text" => |units| written_text(units, true),
-        "questions" => |text| {
-            text.parse::<Question>()
-                .map_or_else(|_| "-".to_owned(), |one| one.to_string())
-        },
-        "observed" => {
-            |text| Value::parse_observed(text).map_or_else(|_| "-".to_owned(), |one| one.to_string())
-        }
+        "questions" => |text| shown(text.parse::<Question>().ok()),
+        "observed" => |text| shown(Value::parse_observed(text).ok()),
         "written" => |text| {
             WrittenValue::of(Value::parse(text).expect("a literal"))
                 .literal
                 .to_string()
         },
         "spelled" => spelled,
-        "names" => |text| named(ElementaryType::from_name(text)),
-        "prefixes" => |text| named(ElementaryType::from_literal_prefix(text)),
-        "long-forms" => |text| named(ty(text).long_form()),
+        "names" => |text| shown(ElementaryType::from_name(text)),
+        "prefixes" => |text| shown(ElementaryType::from_literal_prefix(text)),
+        "long-forms" => |text| shown(ty(text).long_form()),
         "ranges" => |text| {
             let range = ty(text).integer_range();
-            range.map_or_else(
-                || "-".to_owned(),
-                |(least, greatest)| format!("{least} to {greatest}"),
-            )
+            shown(range.map(|(least, greatest)| format!("{least} to {greatest}")))
         },
         "boundaries" => |name| boundaries_of(ty(name)).join(" "),
         "has-boundaries" => |text| {
@@ -77,7 +69,7 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
         "versions" => versions,
         "clock" => |text| {
             let clock = ClockSetting::at(2, &Value::parse(text).expect("a literal"));
-            clock.map_or_else(|| "-".to_owned(), |clock| clock.nanoseconds.to_string())
+            shown(clock.map(|clock| clock.nanoseconds))
         },
         "grouped" => |number| grouped(number.parse().expect("a number")),
         "counted" => |number| counted(number.parse().expect("a number"), "case", "cases"),
@@ -100,8 +92,9 @@ fn boundaries_of(ty: ElementaryType) -> Vec<String> {
     values.map(|value| value.literal.to_string()).collect()
 }
 
-fn named(found: Option<ElementaryType>) -> String {
-    found.map_or("-", ElementaryType::name).to_owned()
+/// Shows what was found; a dash stands for nothing.
+fn shown<T: fmt::Display>(found: Option<T>) -> String {
+    found.map_or_else(|| "-".to_owned(), |one| one.to_string())
 }
 
 fn read<T: fmt::Display>(result: Result<T, LiteralError>) -> String {
@@ -147,11 +140,8 @@ fn written_text(units: &str, wide: bool) -> String {
 /// Reads a literal of a type, as it stands in a program: `REAL 1.5`.
 fn spelled(text: &str) -> String {
     let (ty, literal) = text.split_once(' ').expect("a type and a literal");
-    let written = WrittenValue::parse(self::ty(ty), literal);
-    written.map_or_else(
-        |_| "-".to_owned(),
-        |one| format!("{} | {}", one.literal, one.value),
-    )
+    let written = WrittenValue::parse(self::ty(ty), literal).ok();
+    shown(written.map(|one| format!("{} | {}", one.literal, one.value)))
 }
 
 /// Says whether a value is near one that is expected, `REAL#1.0 within 1 | REAL#1.0000001`; a dash where none is near that.

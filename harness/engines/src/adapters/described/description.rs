@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
-use stickler_types::{DialectName, Fault};
+use stickler_types::{DialectName, Fault, join};
 
 /// A compiler, described by data.
 #[derive(Clone, Debug, Deserialize)]
@@ -255,8 +255,7 @@ impl FromStr for Meaning {
             fault => match fault.strip_prefix("fault ") {
                 Some(words) => Ok(Meaning::Faulted(Fault::reported(words))),
                 None => fault.parse().map(Meaning::Faulted).map_err(|_| {
-                    let faults: Vec<_> = Fault::ALL.iter().map(|fault| format!("`{fault}`")).collect();
-                    let faults = faults.join(", ");
+                    let faults = join(Fault::ALL.iter().map(|fault| format!("`{fault}`")), ", ");
                     format!(
                         "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
                          a fault ({faults}, or `fault WORDS` for another one), not `{text}`"

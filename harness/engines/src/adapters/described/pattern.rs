@@ -3,6 +3,7 @@
 use crate::{Diagnostic, Severity};
 use regex_lite::{Captures, Regex, RegexBuilder};
 use std::str::FromStr;
+use stickler_types::join;
 
 /// The pattern of a compiler's diagnostics. Groups: `severity`, `code`, `line`, `column`, `end_line`,
 /// `end_column`, `message` and `file`.
@@ -53,11 +54,8 @@ fn compiled(text: &str, known: &[&str]) -> Result<Regex, String> {
         .map_err(|error| error.to_string())?;
     for name in regex.capture_names().flatten() {
         if !known.contains(&name) {
-            let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
-            return Err(format!(
-                "the group `{name}` means nothing; there are {}",
-                known.join(", ")
-            ));
+            let known = join(known.iter().map(|name| format!("`{name}`")), ", ");
+            return Err(format!("the group `{name}` means nothing; there are {known}"));
         }
     }
     Ok(regex)

@@ -29,15 +29,13 @@ impl Description {
         let dialect = dialect.ok_or_else(|| speaks_not(request.dialect))?;
         let text = with_settings(request);
         let request = &written(request, text.as_ref());
+        let script = |program: &str, commands: &[_], last: &dyn Fn(Recipe) -> Recipe| {
+            Ok(self.script((request.dialect, dialect), program, commands, last))
+        };
         match (ability, &self.run, main_program(request)) {
             (Ability::Render, ..) => {
                 let render = self.render.as_ref().ok_or_else(no_rendering)?;
-                Ok(self.script(
-                    (request.dialect, dialect),
-                    request.source,
-                    &[(&render.0, 0)],
-                    |recipe| recipe,
-                ))
+                script(request.source, &[(&render.0, 0)], &|recipe| recipe)
             }
             (Ability::Execute | Ability::Scans, Some(run), Some(main)) => {
                 takes_scans(&run.0, request)?;
@@ -45,11 +43,7 @@ impl Description {
                 let program = with_shown_probes(request, &main, probes.list())?;
                 let mut commands = templates(self.compile.as_ref());
                 commands.extend(observed_scans(request).into_iter().map(|scan| (&run.0, scan)));
-                Ok(
-                    self.script((request.dialect, dialect), &program, &commands, |recipe| {
-                        recipe.legend(probes.list())
-                    }),
-                )
+                script(&program, &commands, &|recipe| recipe.legend(probes.list()))
             }
             _ => {
                 let check = self.check.as_ref().or(self.compile.as_ref());
@@ -58,12 +52,7 @@ impl Description {
                     // A compiler that only runs programs accepts a program by running it.
                     commands.extend(self.run.iter().map(|run| (&run.0, 1)));
                 }
-                Ok(self.script(
-                    (request.dialect, dialect),
-                    request.source,
-                    &commands,
-                    Recipe::accepted,
-                ))
+                script(request.source, &commands, &Recipe::accepted)
             }
         }
     }
@@ -75,7 +64,7 @@ impl Description {
         (name, dialect): (DialectName, &str),
         program: &str,
         commands: &[(&CommandTemplate, u32)],
-        last: impl FnOnce(Recipe) -> Recipe,
+        last: &dyn Fn(Recipe) -> Recipe,
     ) -> Reproduction {
         let file = &self.file.0;
         let mut recipe = Recipe::of(file, self.whole(name, program));

@@ -146,12 +146,7 @@ impl Readbacks {
         if let Some(reason) = self.hints.unreadable.get(&ty) {
             return Readback::Unreadable(reason.clone());
         }
-        let count = self
-            .hints
-            .lengths
-            .get(name)
-            .copied()
-            .unwrap_or(INITIAL_CHARACTERS);
+        let count = *self.hints.lengths.get(name).unwrap_or(&INITIAL_CHARACTERS);
         let Alphabets { plain, escaped, one } = self.alphabets(ty);
         let length = self.probe(format!("LEN({name})"), "INT");
         let mut characters = Vec::with_capacity(count);
@@ -217,15 +212,14 @@ impl Readbacks {
             }
             Some(Readback::Enumerated(name, values)) => {
                 let shown = self.shown(&asked.name, name, dump)?;
-                let value = shown
-                    .trim()
-                    .parse::<usize>()
-                    .ok()
-                    .and_then(|place| values.get(place));
-                let value = value.ok_or_else(|| {
-                    ReadbackError::Failed(format!("it shows `{shown}` as {}", asked.type_name))
-                })?;
-                Ok(Value::enumerated(&*asked.type_name, value))
+                let place = shown.trim().parse().ok();
+                match place.and_then(|place: usize| values.get(place)) {
+                    Some(value) => Ok(Value::enumerated(&*asked.type_name, value)),
+                    None => Err(ReadbackError::Failed(format!(
+                        "it shows `{shown}` as {}",
+                        asked.type_name
+                    ))),
+                }
             }
             Some(Readback::Text {
                 ty,
@@ -288,12 +282,12 @@ impl Readbacks {
             let plain = self.place(path, &character.plain, dump)?;
             let escaped = self.place(path, &character.escaped, dump)?;
             let unit = match (plain, escaped) {
-                (Some(place), _) => characters::plain(ty).nth(place).map(u16::from),
-                (None, Some(place)) => characters::escaped(ty).nth(place).map(u16::from),
+                (Some(place), _) => characters::plain(ty).nth(place),
+                (None, Some(place)) => characters::escaped(ty).nth(place),
                 (None, None) => None,
             };
             let unseen = || ReadbackError::Unsupported(format!("{path} holds a character that is not seen"));
-            units.push(unit.ok_or_else(unseen)?);
+            units.push(u16::from(unit.ok_or_else(unseen)?));
         }
         Ok(Value::text(ty, units))
     }

@@ -39,48 +39,35 @@ impl OutputParser {
     /// [`Outcome::Crashed`] where the compiler neither accepts its input nor says why not.
     pub(super) fn diagnostics(&self, ended: &Ended) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let text = without_colours(&ended.stderr);
+        let listed = self.listed.by_file(&text).into_iter().map(located);
+        let (mut errors, warnings): (Vec<_>, Vec<_>) = listed.partition(|(_, reported)| reported.is_error());
         match ended.status.code() {
-            Some(0) => Ok(self
-                .listed(&text)
-                .filter(|(_, reported)| !reported.is_error())
-                .collect()),
+            Some(0) => Ok(warnings),
             Some(1) => {
-                let mut found: Vec<LocatedDiagnostic> = self
-                    .listed(&text)
-                    .filter(|(_, reported)| reported.is_error())
-                    .collect();
-                if found.is_empty() {
+                if errors.is_empty() {
                     let last = text.lines().rfind(|line| !line.is_empty() && !is_noise(line));
                     let read = self.last.by_file(last.unwrap_or_default()).into_iter();
-                    found = read
-                        .map(|(file, diagnostic)| located((file, from_one(file, diagnostic))))
-                        .collect();
+                    errors.extend(read.map(|(file, one)| located((file, from_one(file, one)))));
                 }
-                match found.is_empty() {
+                match errors.is_empty() {
                     true => Err(ended.crashed()),
-                    false => Ok(found),
+                    false => Ok(errors),
                 }
             }
             _ => Err(died(ended, &text)),
         }
-    }
-
-    fn listed(&self, text: &str) -> impl Iterator<Item = LocatedDiagnostic> {
-        self.listed.by_file(text).into_iter().map(located)
     }
 }
 
 /// Returns the outcome that says how the compiler ended, with its last lines of output.
 fn died(ended: &Ended, text: &str) -> Outcome {
     let lines: Vec<&str> = text.lines().filter(|line| !is_noise(line)).collect();
-    steady(
-        Ended {
-            status: ended.status,
-            stdout: String::new(),
-            stderr: lines.join("\n"),
-        }
-        .crashed(),
-    )
+    let ended = Ended {
+        status: ended.status,
+        stdout: String::new(),
+        stderr: lines.join("\n"),
+    };
+    steady(ended.crashed())
 }
 
 /// Removes from a crash what differs from run to run and from machine to machine: the numbers of threads, addresses in memory, and

@@ -62,15 +62,9 @@ fn build_and_run(
             outcomes.map(|(outcome, (_, accepted))| outcome.with_warnings(accepted.translated.diagnostics()));
         return Ok(Round::Ran(with_warnings.collect()));
     }
-    let named = |(mark, end)| numbers(&ended.stderr, mark, end);
-    let named: BTreeSet<usize> = [("program_", '.'), ("pack_", ':')]
-        .into_iter()
-        .flat_map(named)
-        .collect();
-    Err(named
-        .into_iter()
-        .filter(|number| *number < members.len())
-        .collect())
+    let marks = [("program_", '.'), ("pack_", ':')].into_iter();
+    let named = marks.flat_map(|(mark, end)| numbers(&ended.stderr, mark, end));
+    Err(named.filter(|number| *number < members.len()).collect())
 }
 
 /// Returns the C++ of a program without the lines that a namespace must not have: the headers that they include are included
