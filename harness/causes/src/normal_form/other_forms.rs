@@ -289,9 +289,13 @@ impl NormalSearch<'_, '_> {
                 true => "text literal as an operand",
                 false => "truth literal as an operand",
             };
+            // What goes wrong otherwise with variables goes wrong in this way with literals alone.
+            let is_cured = seen
+                .as_ref()
+                .is_none_or(|seen| !is_same(&self.normal.deviation, seen));
             // A comparison in the place of a truth value is no literal.
-            let is_literal = seen.is_none()
-                && (has_text || !matches!(self.ask_form(ways::with_comparisons)?, Some(Some(_))));
+            let is_literal =
+                is_cured && (has_text || !matches!(self.ask_form(ways::with_comparisons)?, Some(Some(_))));
             self.normal.way = is_literal.then_some(way).or(self.normal.way);
             // A literal may be at fault beside what it is an operand of.
             if let Some((deviation, case)) = seen
