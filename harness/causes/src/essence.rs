@@ -137,8 +137,9 @@ impl Essence {
             true => labels(&read),
             false => BTreeSet::new(),
         };
-        // Bits of another number are those of the operator, whichever the types are.
-        if features.contains("bitwise operator") {
+        // Bits of another number are those of the operator, whichever the types are; so it is where a place does not convert at all.
+        let converts_nothing = features.contains("conversion") && features.contains("initial value");
+        if features.contains("bitwise operator") || converts_nothing {
             labels.retain(|label| elementary(label).is_none());
         }
         Essence {

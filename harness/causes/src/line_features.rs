@@ -57,6 +57,8 @@ pub(crate) const LITERAL: &str = "untyped literal";
 pub(crate) const IN_OTHER_UNIT: &str = "function or function block";
 /// The feature of something not implemented with an instance.
 pub(crate) const INSTANCE: &str = "instance of a function block";
+/// The feature of a variable that has a location.
+const LOCATED: &str = "AT";
 /// The feature of a mistake with a whole array, a structure or an enumeration.
 pub(crate) const DERIVED: &str = "derived type";
 
@@ -221,7 +223,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             group.is_some_and(|group| group.location.is_some())
         };
         let located = words(self.text()).into_iter().find(is_located);
-        features.extend(located.map(|_| "AT".to_owned()));
+        features.extend(located.map(|_| LOCATED.to_owned()));
         features.extend(self.passes_derived().then(|| DERIVED.to_owned()));
         features
     }

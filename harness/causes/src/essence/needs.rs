@@ -172,7 +172,11 @@ pub(super) fn needs(
                     let names_construct = !features.is_empty();
                     return (unusable(words), features, names_construct);
                 }
-                None if words.split(' ').count() > 3 => format!("crash {words}"),
+                // What is dumped behind a sign of equality is of the program.
+                None if words.split(' ').count() > 3 => {
+                    let said = words.split(" = ").next().unwrap_or_default();
+                    format!("crash {said}")
+                }
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
             };
             (symptom, BTreeSet::new(), false)

@@ -1,8 +1,8 @@
 //! The features of a program that an engine does not take: what of its line is rejected, not implemented or of no use.
 
 use super::{
-    IN_DECLARATIONS, IN_OTHER_UNIT, IN_STATEMENTS, LARGE_LABEL, LINE_PLACES, OF_REAL, ProgramAndLine,
-    STANDARD_PARAMETER, Words, passes_in_out,
+    IN_DECLARATIONS, IN_OTHER_UNIT, IN_STATEMENTS, LARGE_LABEL, LINE_PLACES, LOCATED, OF_REAL,
+    ProgramAndLine, STANDARD_PARAMETER, Words, passes_in_out,
 };
 use crate::lines::{special_section, unit_of};
 use crate::malformed::{SIZES, size_of_integer};
@@ -236,9 +236,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         };
         let mut features: Words = self.of_fault().iter().map(named).collect();
         features.remove("condition");
-        if features.is_empty() {
-            features.extend(self.suspect_literals(|_| true));
-            features.extend(words_of(&self.works, Role::Declaration));
+        let declared = words_of(&self.works, Role::Declaration);
+        // Whatever is done with a variable that has a location may go wrong because of that.
+        if features.is_empty() || declared.contains(LOCATED) {
+            features.extend(self.suspect_literals(|_| features.is_empty()));
+            features.extend(declared);
         }
         features
     }
