@@ -50,6 +50,10 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
         (wrong.loses_fraction(), "fraction of a second that is lost"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
+        (
+            wrong.counts_nanoseconds(),
+            "nanoseconds in the place of milliseconds",
+        ),
         (wrong.converts_out_of_range(), OUT_OF_RANGE),
         (wrong.counts_to_limit(), TO_LAST_VALUE),
         (
@@ -432,24 +436,33 @@ impl WrongNumber<'_, '_, '_> {
             && self.numbers().is_some_and(is_rounded)
     }
 
-    /// Returns whether the program converts between durations and numbers, and the engine counts them in seconds where milliseconds are
-    /// expected.
-    fn counts_seconds(&self) -> bool {
-        let Some((expected, got)) = self.numbers() else {
-            return false;
-        };
+    /// Returns whether the program converts between durations and numbers.
+    fn converts_duration(&self) -> bool {
         let types = named_types(self.program.text).into_iter().filter_map(elementary);
         let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
         let is_by_name = self
             .conversions()
             .any(|(from, into)| from.is_duration() != into.is_duration());
-        let converts =
-            is_by_name || kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
+        is_by_name || kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"))
+    }
+
+    /// Returns whether the engine counts durations in nanoseconds where milliseconds are expected.
+    fn counts_nanoseconds(&self) -> bool {
+        let is_million = |more: f64, less: f64| less != 0.0 && (more / less / 1e6 - 1.0).abs() < 1e-6;
+        let numbers = self.numbers().filter(|_| self.converts_duration());
+        numbers.is_some_and(|(expected, got)| is_million(got, expected) || is_million(expected, got))
+    }
+
+    /// Returns whether the engine counts durations in seconds where milliseconds are expected.
+    fn counts_seconds(&self) -> bool {
+        let Some((expected, got)) = self.numbers() else {
+            return false;
+        };
         // Below a second the number of seconds is 0, which a conversion by its name gives for no other reason.
         let is_second = expected.abs() >= MILLISECONDS || got == 0.0 && self.conversions().next().is_some();
         let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;
         let takes_seconds = expected != 0.0 && (got / MILLISECONDS - expected).abs() < 0.01;
-        converts && (counts_seconds || takes_seconds)
+        self.converts_duration() && (counts_seconds || takes_seconds)
     }
 }
 
