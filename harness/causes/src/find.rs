@@ -235,7 +235,7 @@ impl Asking<'_> {
                         false => found[at].is_open = false,
                     }
                 }
-                open.note(wave.iter().map(|at| &found[*at]));
+                open.note(wave.iter().map(|at| (*at, &found[*at])));
             }
         }
         let open = found.iter_mut().filter(|group| group.is_open);

@@ -91,14 +91,15 @@ impl OpenGroups {
             small: BTreeSet::new(),
             explained: HashSet::new(),
         };
-        groups.note(found);
+        groups.note(found.iter().enumerate());
         groups
     }
 
-    /// Notes which of the open groups are explained by some that may be small now.
-    pub(crate) fn note<'g>(&mut self, found: impl IntoIterator<Item = &'g ReducedGroup>) {
-        let is_small = |group: &&ReducedGroup| group.smallest.reduction == Reduced::Smallest;
-        for group in found.into_iter().filter(is_small) {
+    /// Notes which of the open groups are explained by some that may be small now, each with its place among all. One that is open itself
+    /// explains those behind it alone, so that the first of several is asked about before the last round.
+    pub(crate) fn note<'g>(&mut self, found: impl IntoIterator<Item = (usize, &'g ReducedGroup)>) {
+        let is_small = |(_, group): &(usize, &ReducedGroup)| group.smallest.reduction == Reduced::Smallest;
+        for (place, group) in found.into_iter().filter(is_small) {
             let small = (group.essence(), group.differs);
             if !self.small.contains(&small) {
                 let (essence, differs) = &small;
@@ -106,6 +107,7 @@ impl OpenGroups {
                     essence.explains(other) && (!differs || *other_differs)
                 };
                 let open = self.open.iter().copied();
+                let open = open.filter(|at| !group.is_open || *at > place);
                 self.explained
                     .extend(open.filter(|at| explains(&self.essences[at])));
                 self.small.insert(small);
