@@ -274,7 +274,7 @@ impl Titled<'_, '_> {
         let of_code = || extra().filter_map(Fact::diagnostic).filter(has_code);
         // The first on the line of the mistake may be the mistake.
         let elsewhere = of_code().find(|one| one.line != wanted.line);
-        let of_code = elsewhere.or_else(|| of_code().last());
+        let of_code = elsewhere.or_else(|| of_code().next_back());
         let extra = of_code.or_else(|| extra().find_map(Fact::diagnostic));
         let extra = extra.cloned().unwrap_or_default();
         if extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
