@@ -18,9 +18,9 @@ use stickler_workers::{Cancellation, WorkerPool};
 /// of threads, so that the same groups are reduced on every machine.
 const WAVE: usize = 32;
 
-/// The numbers of questions for each group before any group gets more: one for what an operand shows alone, then enough for a
-/// program that is nearly as small as it can be, and then for the plainest form of most.
-const QUESTIONS_FIRST: [u64; 3] = [1, 16, 48];
+/// The numbers of questions for each group before any group gets more: one for what an operand shows alone, and then enough for a
+/// program that is nearly as small as it can be and for its plainest form.
+const QUESTIONS_FIRST: [u64; 2] = [1, 32];
 
 /// The time for one question of a search: what takes longer is no smaller program.
 const QUESTION_TIME: Duration = Duration::from_secs(4);
