@@ -1,4 +1,4 @@
-//! The work of a compiler that a deviation needs, by the kind of the deviation: the symptom by which causes are told apart, and the constructs at fault.
+//! The work of a compiler that a deviation needs, by its kind: the symptom by which causes are told apart, and the constructs at fault.
 
 use super::{
     ACCEPTED, INCOMPLETE, INSTANCE_IN_OTHER_UNIT, LITERAL_WITHOUT_PLACE, PARTS_IN_OTHER_UNIT,

@@ -22,18 +22,15 @@ const TYPED: [&str; 8] = [
     "T#0s",
 ];
 
-/// Replaces expressions by the first plain literal that is valid in their place, outermost first; in a rejected text, of which the rules say less,
-/// by the first ones.
+/// Replaces expressions by the first plain literal that is valid in their place, outermost first.
 pub(crate) fn to_literal(view: &TextView<'_>) -> Vec<Edits> {
-    let is_accepted = view.draft.rules().start() == TextState::Accepted;
-    let most = if is_accepted { 1 } else { 3 };
     let mut changes = Vec::new();
     for expression in replaceable(view) {
         let replacing = |plain: &&str| {
             let change = Edits::replacing(expression.span, *plain);
             view.only_allowed(vec![change]).pop()
         };
-        changes.extend(PLAIN.iter().filter_map(replacing).take(most));
+        changes.extend(PLAIN.iter().filter_map(replacing).next());
     }
     changes
 }

@@ -1,7 +1,6 @@
 //! A pass that drops parameters together with the arguments that are given to them.
 
 use crate::TextView;
-use std::ops::Range;
 use stickler_reference::place_of_input;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
@@ -10,8 +9,7 @@ use stickler_syntax::tree::{
 use stickler_syntax::visitor::operands;
 use stickler_types::join;
 
-/// Drops a parameter of a function or a function block, with its argument in each call and with the statements of the unit that name it
-/// otherwise than as this argument.
+/// Drops a parameter of a function or a function block, with the statements of the unit that name it and with its argument in each call.
 pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
     for unit in view.unit.pous() {
@@ -19,12 +17,8 @@ pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
         for (section, group, at) in parameters(unit) {
             let [name] = &group.names[..] else { continue };
             let mut edits = Edits::new();
-            let given = calls.iter().filter_map(|call| argument(call, (name.text, at)));
-            let given: Vec<Range<usize>> = given.map(|value| view.range_of_expression(value)).collect();
             for used in view.uses(unit, *name) {
-                let is_dropped = given.contains(&used.expression.span.into());
-                let statement = used.statement.filter(|_| !is_dropped);
-                edits.extend(statement.map(|statement| Edits::removing(statement.span)));
+                edits.extend(used.statement.map(|statement| Edits::removing(statement.span)));
             }
             match (&section.groups[..], view.range_of_declaration(group)) {
                 ([_], _) => edits.remove(section.span),
