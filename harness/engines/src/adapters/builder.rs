@@ -1,7 +1,7 @@
 //! Builds the output of a compiler under test together with a driver, by a C or C++ compiler.
 
 use super::fingerprint::Fingerprint;
-use super::locate::{call, first_error};
+use super::locate::{call, first_error, is_of_linker};
 use super::recipe::{Purpose, Recipe, Workplace};
 use crate::Outcome;
 use crate::process::{Ended, Folder};
@@ -139,7 +139,7 @@ impl Builder {
             0 => Ok(()),
             _ => {
                 let error = without_folder(&first_error(&ended), &self.headers);
-                let what = match error.contains("undefined reference") {
+                let what = match is_of_linker(&error) {
                     true => "what it wrote cannot be linked".to_owned(),
                     false => format!("the {} that it wrote cannot be built", self.language.name),
                 };

@@ -65,14 +65,20 @@ pub(super) fn suspects(outcome: &Outcome, programs: usize) -> BTreeSet<usize> {
     }
 }
 
+/// Returns whether a line is one of a linker, which finds a name twice or not at all.
+pub(super) fn is_of_linker(line: &str) -> bool {
+    ["multiple definition of", "undefined reference to"]
+        .iter()
+        .any(|words| line.contains(words))
+}
+
 /// Returns the first line of the output of a C or C++ compiler that reports an error. What the linker found comes before the line
 /// that only says that the linker failed.
 pub(super) fn first_error(ended: &Ended) -> String {
-    const OF_THE_LINKER: [&str; 2] = ["multiple definition of", "undefined reference to"];
     let mut lines = ended.stderr.lines();
     let error = lines
         .clone()
-        .find(|line| OF_THE_LINKER.iter().any(|words| line.contains(words)))
+        .find(|line| is_of_linker(line))
         .or_else(|| lines.clone().find(|line| line.contains("error")));
     let line = error.or(lines.next()).unwrap_or("it does not say why");
     line.chars().filter(|character| !character.is_control()).collect()
